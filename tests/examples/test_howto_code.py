@@ -203,3 +203,14 @@ def test_optimizations(capsys):
     assert known["longer"].reads()[0].value == pytest.approx(0.6 * mm, rel=0.011)
     assert "tip_displacement_x_slope_wall" in known["longer"].best_row.response
     assert "All targets are met, after 5 runs." in capsys.readouterr().out
+
+
+def test_decks(tmp_path, monkeypatch):
+    (tmp_path / "examples").mkdir()
+    deck = GUIDES.parents[1] / "examples" / "rubber_block.inp"
+    (tmp_path / "examples" / deck.name).write_bytes(deck.read_bytes())
+    monkeypatch.chdir(tmp_path)
+    steps = after_each_block("decks", {})
+    job = next(steps)["job"]
+    assert job.procedure.at == (pytest.approx(1 / 3),)
+    assert next(steps, None) is None

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from turgor.core.results.files.modes_vtu import write_modes as write_modes
     from turgor.core.results.files.response_csv import read_response as read_response
     from turgor.core.results.files.vtu import write_series as write_series
+    from turgor.job.decks.account import DeckRow as DeckRow
+    from turgor.job.decks.importing import DeckImport as DeckImport
+    from turgor.job.decks.importing import import_deck as import_deck
     from turgor.systems.exports.fmu import write_fmu as write_fmu
     from turgor.systems.exports.formats import export_reduced as export_reduced
     from turgor.systems.exports.sofa import SofaScene as SofaScene

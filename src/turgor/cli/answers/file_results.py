@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from turgor.core.materials.fitting.histories.history_fit import HistoryFit
     from turgor.core.materials.fitting.ranking import Ranking
     from turgor.core.materials.fitting.result import Fit
+    from turgor.job.decks.account import DeckRow
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,6 +45,22 @@ class InspectResult:
     faces: Sequence[Any]
     cavities: Sequence[Any]
     symmetry: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ImportResult:
+    """``turgor import``: the job of a deck, and what became of its keywords.
+
+    Parameters
+    ----------
+    job : str
+        The job file.
+    rows : list of tables
+        ``file``, ``line``, ``keyword``, ``verdict`` (``"taken"``, ``"not needed"`` or ``"missing"``) and ``text``.
+    """
+
+    job: Path
+    rows: "Sequence[DeckRow]"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

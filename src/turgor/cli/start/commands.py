@@ -34,6 +34,7 @@ COMMANDS: Mapping[str, str] = {
     "inspect": "inspect.inspect_command",
     "fit": "fitting.fit.fit_command",
     "export": "export.export_command",
+    "import": "families.import_deck.import_command",
     "mesh": "mesh.mesh_command",
     "modes": "modes.modes_command",
     "buckling": "modes.buckling_command",

@@ -63,7 +63,7 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
         "name": job.name,
         "actuator": {"type": actuator_type(job.actuator)} | dimensions(job.actuator),
         "mesh": _mesh(job),
-        "materials": {name: _material(entry) for name, entry in job.materials.items()},
+        "materials": {name: material_table(entry) for name, entry in job.materials.items()},
         "fibers": fibers_tables(job.fibers),
         "bonds": bonds_tables(job.bonds),
         "supports": supports_table(job.supports),
@@ -142,7 +142,8 @@ def _target(job: Job) -> dict[str, Any]:
     return {"target": f"{100 * job.mesh_target:.6g} %", **measure, "most_unknowns": job.mesh_most_unknowns}
 
 
-def _material(entry: Material | Sheet) -> dict[str, Any]:
+def material_table(entry: Material | Sheet) -> dict[str, Any]:
+    """Write a material or a sheet as a table of a job file."""
     material = entry.material if isinstance(entry, Sheet) else entry
     law = name_in(LAWS, material.law)
     if law is None:

@@ -10,11 +10,13 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, Field
 
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.model.history import RAMP
 from turgor.core.model.places import NodesAt
 from turgor.core.model.supports import Displacement, Fixed, Foundation, Roller, Shift, Support
 from turgor.foundation.registry import Registry, class_of_file
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.text.lines import Key
+from turgor.job.text.load_values import Points
 from turgor.job.text.place_table import PLACES, PlaceTable, face_or_set, lacks_faces
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Says, read_table, shown
@@ -33,6 +35,9 @@ class SupportTable(PlaceTable):
     ----
     displacement : list of lengths
         Where it is at the end, relative to where it was, in proportion to the load factor.
+    history : list or str, optional
+        Share of the displacement over the load factor: points [load factor, share] with straight lines between them,
+        or an expression in s. By default it rises with the load factor.
     directions : str or list of floats
         Directions in which it is fixed or moved, some of x, y and z; it is free in the others. Or three numbers: the
         one direction in which it is fixed.
@@ -43,6 +48,7 @@ class SupportTable(PlaceTable):
     """
 
     displacement: Lengths | None = Field(default=None, examples=['[0, 0, "5 mm"]'])
+    history: Points = None
     directions: Annotated[str | list[float], Says("text or three numbers", '"xz"')] = "xyz"
     normal_stiffness: Bedding | None = None
     tangential_stiffness: Bedding | None = None
@@ -107,11 +113,19 @@ def _of_table(name: str, stated: Mapping[str, Any], geometry: Geometry | None, p
     if not isinstance(table.directions, str):
         return _roller(face, table, key, problems)
     if table.displacement is None:
+        if table.history is not None:
+            problems.add((*key, "history"), "it is that of a displacement, which is missing.")
+            return None
         if isinstance(face, str):
             problems.add(key, f'displacement is missing; to hold the face, write {name} = "{table.directions}".')
             return None
         return problems.attempt(key, partial(Fixed, face, table.directions))
-    moved = problems.attempt(key, partial(Displacement, face, Shift(table.displacement), table.directions))
+    shift = problems.attempt(
+        (*key, "history"), partial(Shift, table.displacement, RAMP if table.history is None else table.history)
+    )
+    if shift is None:
+        return None
+    moved = problems.attempt(key, partial(Displacement, face, shift, table.directions))
     free = [axis for axis, part in zip("xyz", table.displacement, strict=True) if part and axis not in table.directions]
     if moved is not None and free:
         along = ", ".join(free)

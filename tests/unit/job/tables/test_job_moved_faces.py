@@ -51,6 +51,16 @@ def test_a_moved_face_is_read_and_written_back(tmp_path: Path) -> None:
     assert read_job(again).supports == job.supports
 
 
+def test_a_move_with_a_history_is_read_and_written_back(tmp_path: Path) -> None:
+    stated = 'tip = { displacement = ["5 mm", 0, 0], directions = "x", history = [[0, 0], [0.5, 1], [1, 0.2]] }'
+    job = read_job(written(tmp_path, stated))
+    (moved,) = (each for each in job.supports if each.place == "tip")
+    assert isinstance(moved, Displacement)
+    assert moved.displacement(np.zeros((1, 3)), 0.75)[0] == pytest.approx((0.6 * 5e-3, 0, 0))
+    (tmp_path / "job.lock.toml").write_text(lock_text(job, {}), encoding="utf-8")
+    assert read_job(tmp_path / "job.lock.toml").supports == job.supports
+
+
 def test_a_pulled_tube_answers_as_in_python(tmp_path: Path) -> None:
     outcome = tg.jobs.run_job(
         read_job(written(tmp_path, 'tip = { displacement = ["5 mm", 0, 0] }'), {"output.mesh_error": False}),
@@ -76,6 +86,8 @@ def test_a_pulled_tube_answers_as_in_python(tmp_path: Path) -> None:
         ('tip = { displacement = ["5 kPa", 0, 0] }', ("supports.tip.displacement", "kPa")),
         ('tip = { displacement = ["5 mm", 0, 0], directions = "yz" }', ("supports.tip.directions", "x", "yz")),
         ('tip = { displacement = ["5 mm", 0, 0], directions = "w" }', ("supports.tip", "'w'")),
+        ('tip = { displacement = ["5 mm", 0, 0], history = [[0, 1], [1, 1]] }', ("supports.tip.history", "(0, 0)")),
+        ('tip = { history = [[0, 0], [1, 1]], directions = "x" }', ("supports.tip.history",)),
         ("tip = 5", ("supports.tip", "5", "displacement")),
         ('tpi = { displacement = ["5 mm", 0, 0] }', ("supports.tpi", "'tip'")),
     ],

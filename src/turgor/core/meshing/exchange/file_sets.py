@@ -1,23 +1,44 @@
 """Node sets of mesh files: named edges and points, which are no faces."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 import numpy as np
 
+from turgor.core.meshing.exchange.boundary import Sides
 from turgor.core.meshing.exchange.formats.raw import Ints, RawMesh
 from turgor.core.meshing.exchange.solids import Solids
 from turgor.core.meshing.nodes.node_sets import with_new_middles
 
 
-def sets_of_file(raw: RawMesh, solids: Solids, faces: Mapping[str, Ints]) -> dict[str, Ints]:
+def whole_faces(raw: RawMesh, solids: Solids, sides: Sides, faces: Mapping[str, Ints]) -> set[str]:
+    """Names of faces, without those whose set in the file has further corners, off the sides of the face.
+
+    Parameters
+    ----------
+    raw : RawMesh
+    solids : Solids
+    sides : Sides
+    faces : mapping of str to (f,) int array
+        Rows of ``sides.nodes``.
+    """
+    corners = np.unique(solids.cells[:, : solids.kind.corners])
+    whole = set(faces)
+    for name in set(faces) & set(raw.node_sets):
+        members = np.intersect1d(solids.renumbered[raw.node_sets[name]], corners)
+        if not np.isin(members, sides.corners[faces[name]]).all():
+            whole.remove(name)
+    return whole
+
+
+def sets_of_file(raw: RawMesh, solids: Solids, faces: Collection[str]) -> dict[str, Ints]:
     """Nodes of each set, edge and point of the file that a person named and that is no face.
 
     Parameters
     ----------
     raw : RawMesh
     solids : Solids
-    faces : mapping of str to (f,) int array
-        Faces of the file, whose names are taken.
+    faces : collection of str
+        Faces of the file that have all nodes of their sets.
 
     Returns
     -------

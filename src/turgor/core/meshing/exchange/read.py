@@ -11,7 +11,7 @@ from turgor.core.geometry.directions import FileAxes
 from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.exchange.boundary import Sides, sides_of
-from turgor.core.meshing.exchange.file_sets import sets_of_file
+from turgor.core.meshing.exchange.file_sets import sets_of_file, whole_faces
 from turgor.core.meshing.exchange.formats.abaqus import read_abaqus
 from turgor.core.meshing.exchange.formats.gmsh import read_gmsh
 from turgor.core.meshing.exchange.formats.raw import Array, Ints, RawMesh
@@ -130,7 +130,7 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
         regions=region_cells,
         faces={face: sides.nodes[rows] for face, rows in face_sides.items()},
         name=raw.path.stem,
-        node_sets=sets_of_file(raw, solids, face_sides),
+        node_sets=sets_of_file(raw, solids, whole_faces(raw, solids, sides, face_sides)),
     )
     if solids.kind is TETRAHEDRON:
         refuse_inverted(mesh, f"repair '{raw.path.name}' where it was made, or export cells of first order")

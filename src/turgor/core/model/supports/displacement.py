@@ -111,13 +111,13 @@ class Displacement(Support):
         return (DeckRows("*BOUNDARY", self.way or RAMP, deck.displaced(self.place, self.shift, self.directions)),)
 
     def job_text(self) -> dict[str, object]:
-        """Return the table of a `Shift` that grows with the load factor."""
-        if self.way != RAMP:
-            raise TurgorError(f"the displacement of '{self.place}' has a history, which has no form in a job file.")
+        """Return the table of a `Shift`."""
         moved: dict[str, object] = {
             "displacement": [format_quantity(part, "mm") for part in self.shift],
             "directions": self.directions,
         }
+        if self.way is not None and self.way != RAMP:
+            moved["history"] = self.way if isinstance(self.way, str) else [list(point) for point in self.way]
         return moved if isinstance(self.face, str) else self.face.table() | moved
 
     def text(self) -> str:

@@ -4,6 +4,7 @@ import exchange_cases as cases
 import numpy as np
 import pytest
 
+import deck_cases
 import prints
 import turgor as tg
 from refused import refused
@@ -225,3 +226,12 @@ def test_mid_side_node_off_its_mirror_plane_is_put_there(tmp_path):
     file.write_bytes(cases.vtk_legacy(off, [(24, whole.cells)]))
     with refused("symmetry_y", "(0, 3, 0) mm", "3 mm", "y = 0 mm"):
         read_mesh(file, faces={"symmetry_y": tg.files.ByNodes(sorted(nodes_of_side))})
+
+
+def test_a_set_with_a_side_and_other_nodes_is_a_face_and_a_node_set(tmp_path):
+    mesh = deck_cases.NODES + deck_cases.CELLS + "*NSET, NSET=MIXED\n1,2,3,4,9\n"
+    read = read_mesh(deck_cases.deck(tmp_path, mesh=mesh))
+    assert "BOTTOM" not in read.node_sets
+    assert len(read.face("MIXED")) == 1
+    assert read.points[read.node_sets["MIXED"], 2].max() == pytest.approx(20 * mm)
+    assert len(read.node_sets["MIXED"]) == 10  # nine nodes of the side, and a corner on the other end

@@ -2,6 +2,7 @@
 
 import re
 from collections import defaultdict
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -22,16 +23,18 @@ _TYPE = re.compile(r"(D?C3D|AC3D|S|M3D|SFM3D|R3D|STRI|DS|CPS|CPE|CAX)(\d+)")
 
 
 @dataclass(slots=True)
-class _Keyword:
-    """One keyword with its parameters and the lines of data below it."""
+class Keyword:
+    """One keyword with its parameters, the lines of data below it, and where it stands."""
 
     name: str
     given: dict[str, str]
+    path: Path
+    line: int
     lines: list[str] = field(default_factory=list)
 
 
 @dataclass(slots=True)
-class _Content:
+class Content:
     """Content of the lines that were read, with the numbers of the file.
 
     ``omitted`` names the lines that were not understood, one clause each.
@@ -68,19 +71,24 @@ def read_abaqus(path: Path) -> RawMesh:
     TurgorError
         If the file has several parts or instances, a line is no line of numbers, or a cell has an unknown node.
     """
-    content = _Content(path)
-    for keyword in _keywords(path):
+    return _mesh(content_of(path, keywords_of(path)))
+
+
+def content_of(path: Path, keywords: Iterable[Keyword]) -> Content:
+    """Return the nodes, cells, sets and surfaces of the keywords of a file."""
+    content = Content(path)
+    for keyword in keywords:
         _take(content, keyword)
     if not content.points:
         raise TurgorError(f"'{path}' has no *NODE with nodes in it.")
-    return _mesh(content)
+    return content
 
 
-def _keywords(path: Path, above: tuple[Path, ...] = ()) -> list[_Keyword]:
+def keywords_of(path: Path, above: tuple[Path, ...] = ()) -> list[Keyword]:
     """Split a file into keywords, with the files that it includes in their places; ``above`` are those around it."""
-    keywords: list[_Keyword] = []
+    keywords: list[Keyword] = []
     pending = ""
-    for line in path.read_text(encoding="utf-8", errors="replace").splitlines():
+    for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), start=1):
         if line.startswith("**") or not line.strip():
             continue
         text = pending + line.strip()
@@ -94,29 +102,29 @@ def _keywords(path: Path, above: tuple[Path, ...] = ()) -> list[_Keyword]:
             continue
         name, *parameters = (part.strip() for part in text[1:].split(","))
         given = {k.strip().lower(): v.strip().strip('"') for k, _, v in (p.partition("=") for p in parameters)}
-        keyword = _Keyword(" ".join(name.lower().split()), given)
+        keyword = Keyword(" ".join(name.lower().split()), given, path, number)
         if keyword.name == "include":
             keywords += _included(path, given.get("input", ""), (*above, path.resolve()))
         keywords.append(keyword)
     return keywords
 
 
-def _included(path: Path, name: str, above: tuple[Path, ...]) -> list[_Keyword]:
+def _included(path: Path, name: str, above: tuple[Path, ...]) -> list[Keyword]:
     file = path.parent / name
     if not name or not file.is_file():  # a device, such as /dev/zero, is no file
         raise TurgorError(f"'{path}' includes '{name}', which is no file.")
     if file.resolve() in above:
         raise TurgorError(f"'{path}' includes '{name}', which includes '{path.name}' in turn.")
-    return _keywords(file, above)
+    return keywords_of(file, above)
 
 
-def _take(content: _Content, keyword: _Keyword) -> None:
+def _take(content: Content, keyword: Keyword) -> None:
     take = _TAKERS.get(keyword.name)
     if take is not None:
         take(content, keyword)
 
 
-def _take_nodes(content: _Content, keyword: _Keyword) -> None:
+def _take_nodes(content: Content, keyword: Keyword) -> None:
     for line in keyword.lines:
         values = [*numbers(line, content.path, "a node"), 0.0, 0.0, 0.0]
         content.node_ids.append(int(values[0]))
@@ -125,7 +133,7 @@ def _take_nodes(content: _Content, keyword: _Keyword) -> None:
             content.node_sets[keyword.given["nset"]].append(int(values[0]))
 
 
-def _take_cells(content: _Content, keyword: _Keyword) -> None:
+def _take_cells(content: Content, keyword: Keyword) -> None:
     name = keyword.given.get("type", "").upper()
     match = _TYPE.match(name)
     solid = match is not None and match[1].endswith("C3D")
@@ -147,15 +155,15 @@ def _take_cells(content: _Content, keyword: _Keyword) -> None:
             content.cell_sets[keyword.given["elset"]].append(values[start])
 
 
-def _take_node_set(content: _Content, keyword: _Keyword) -> None:
+def _take_node_set(content: Content, keyword: Keyword) -> None:
     _take_set(content, keyword, content.node_sets, "nset")
 
 
-def _take_cell_set(content: _Content, keyword: _Keyword) -> None:
+def _take_cell_set(content: Content, keyword: Keyword) -> None:
     _take_set(content, keyword, content.cell_sets, "elset")
 
 
-def _take_set(content: _Content, keyword: _Keyword, sets: dict[str, list[Member]], key: str) -> None:
+def _take_set(content: Content, keyword: Keyword, sets: dict[str, list[Member]], key: str) -> None:
     name = keyword.given.get(key)
     if name is None:
         raise TurgorError(f"'{content.path}': *{keyword.name.upper()} names no {key.upper()}.")
@@ -170,7 +178,7 @@ def _take_set(content: _Content, keyword: _Keyword, sets: dict[str, list[Member]
     sets[name] += members
 
 
-def _take_surface(content: _Content, keyword: _Keyword) -> None:
+def _take_surface(content: Content, keyword: Keyword) -> None:
     name = keyword.given.get("name", "")
     node = keyword.given.get("type", "").lower() == "node"
     for line in keyword.lines:
@@ -181,19 +189,19 @@ def _take_surface(content: _Content, keyword: _Keyword) -> None:
             content.surfaces[name].append((words[0], words[1].upper() if len(words) > 1 else ""))
 
 
-def _take_section(content: _Content, keyword: _Keyword) -> None:
+def _take_section(content: Content, keyword: Keyword) -> None:
     if "elset" in keyword.given:
         content.sections.append(keyword.given["elset"])
 
 
-def _take_part(content: _Content, keyword: _Keyword) -> None:
+def _take_part(content: Content, keyword: Keyword) -> None:
     if content.points:
         raise TurgorError(
             f"'{content.path}' has several parts; merge them into one, or write a file without parts and assemblies."
         )
 
 
-def _take_instance(content: _Content, keyword: _Keyword) -> None:
+def _take_instance(content: Content, keyword: Keyword) -> None:
     moved = any(value for line in keyword.lines for value in numbers(line, content.path, "an instance"))
     if moved:
         raise TurgorError(
@@ -213,7 +221,7 @@ _TAKERS = {
 }
 
 
-def _mesh(content: _Content) -> RawMesh:
+def _mesh(content: Content) -> RawMesh:
     ids = np.array(content.node_ids, dtype=np.int64)
     tables = {kind: np.array(cells, dtype=np.int64) for kind, cells in content.cells.items()}
     numbered = np.concatenate([np.zeros(0, dtype=np.int64), *(table[:, 0] for table in tables.values())])
@@ -243,6 +251,6 @@ def _mesh(content: _Content) -> RawMesh:
     )
 
 
-def _sections(content: _Content) -> tuple[str, ...]:
+def _sections(content: Content) -> tuple[str, ...]:
     names = {name.lower(): name for name in content.cell_sets}
     return tuple(dict.fromkeys(names[name.lower()] for name in content.sections if name.lower() in names))

@@ -1,0 +1,151 @@
+"""Decks of CalculiX's own test collection as jobs: how many are read, run and agree, and why the others are not.
+
+python benchmarks/job/decks.py FOLDER      the tables of decks.md; FOLDER has NAME.inp and NAME.dat.ref, packed or not
+python benchmarks/job/decks.py FOLDER beamnh beamog      some decks only
+
+The collection is in the Debian package calculix-ccx-test (GPL), or at www.dhondt.de as ccx_2.20.test.tar.bz2. A deck is
+in scope if it is static, three-dimensional and of solids; displacements that it prints are compared with those of
+turgor at the same nodes and the ends of the same steps.
+"""
+
+import gzip
+import re
+import sys
+from collections import Counter
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from time import process_time
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parents[2]))  # so that `benchmarks` is found
+import turgor as tg
+from benchmarks.shared.tables import table
+from turgor.foundation.errors import TurgorError
+from turgor.job.decks.deck import read_deck
+from turgor.job.decks.importing import import_deck
+from turgor.job.meshes import mesh_of
+from turgor.job.prepare import model_of
+from turgor.job.read import read_job
+
+#: Largest number of unknowns that is solved here, so that all decks take minutes.
+MOST_UNKNOWNS = 40_000
+
+#: Largest difference of displacements, over the largest displacement, that counts as agreement: cells differ.
+AGREE = 0.05
+
+#: Units that are tried in this order: a part must be 1 mm to 2 m long.
+UNITS = ("mm, N, MPa", "m, N, Pa")
+
+
+def main(folder: Path, chosen: list[str]) -> None:
+    """Print a row for each deck that is understood, and why the others are not."""
+    rows, reasons = [], Counter[str]()
+    for packed in sorted(folder.glob("*.inp*")):
+        name = packed.name.split(".inp")[0]
+        if (chosen and name not in chosen) or (
+            packed.name in (f"{name}.inp.gz",) and (folder / f"{name}.inp").exists()
+        ):
+            continue
+        with TemporaryDirectory() as place:
+            deck = Path(place) / f"{name}.inp"
+            deck.write_bytes(_bytes(packed))
+            reference = next(iter(folder.glob(f"{name}.dat.ref*")), None)
+            try:
+                row = row_of(deck, "" if reference is None else _bytes(reference).decode(errors="replace"))
+            except TurgorError as error:
+                for reason in reasons_of(str(error)):
+                    reasons[reason] += 1
+                if chosen:
+                    sys.stdout.write(f"{error}\n")
+                continue
+        rows.append(row)
+        sys.stderr.write(f"{row}\n")
+    sys.stdout.write(table(["deck", "unknowns", "states", "difference", "CPU s", "verdict"], rows))
+    sys.stdout.write("\n\n" + table(["what a job lacks", "decks"], [[why, str(n)] for why, n in reasons.most_common()]))
+
+
+def row_of(deck: Path, reference: str) -> list[str]:
+    """Import a deck, solve it, and compare it with what CalculiX printed."""
+    imported, units = _imported(deck)
+    job = read_job(imported.write(deck.parent))
+    model = model_of(job, mesh_of(job, job.geometry()))
+    count = model.mesh.unknown_count
+    if count > MOST_UNKNOWNS:
+        return [deck.stem, f"{count:,}", "", "", "", "too large here"]
+    begin = process_time()
+    solution = tg.solve(model, job.procedure, throw=False)
+    seconds = process_time() - begin
+    if solution.status.name.lower() != "converged":
+        return [deck.stem, f"{count:,}", "", "", f"{seconds:.1f}", f"{solution.status.name.lower()}"]
+    states, difference = compared(solution, deck, reference, units)
+    if not states:
+        return [deck.stem, f"{count:,}", "0", "", f"{seconds:.1f}", "prints no displacements"]
+    verdict = "agrees" if difference < AGREE else "differs"
+    return [deck.stem, f"{count:,}", str(states), f"{100 * difference:.3g} %", f"{seconds:.1f}", verdict]
+
+
+def _imported(deck: Path) -> tuple[tg.files.DeckImport, float]:
+    points = np.array(list(read_deck(deck).place.values()))
+    extent = np.ptp(points, axis=0).max()
+    units = UNITS[0] if 1 <= extent <= 2000 else UNITS[1]
+    return import_deck(deck, units=units), {"mm": 1e-3, "m": 1.0}[units.split(",")[0]]
+
+
+def compared(solution: tg.Solution, deck: Path, reference: str, length: float) -> tuple[int, float]:
+    """Number of printed states, and the largest difference of displacements over the largest displacement."""
+    from scipy.spatial import cKDTree
+
+    place = read_deck(deck).place
+    mesh = solution.model.mesh
+    tree = cKDTree(mesh.points)
+    blocks = printed(reference)
+    total = max((time for time, _ in blocks), default=0.0)
+    states, worst = 0, 0.0
+    for time, values in blocks:
+        state = min(solution.states, key=lambda each: abs(each.load_factor - time / total))
+        nodes = [node for node in values if node in place]
+        away, rows = tree.query(length * np.array([place[node] for node in nodes]))
+        known = away < 1e-6 * np.ptp(mesh.points, axis=0).max()
+        theirs = length * np.array([values[node] for node in nodes])[known]
+        if abs(state.load_factor - time / total) > 1e-9 or not known.any():
+            continue
+        ours = state.displacement[rows[known]]
+        largest = float(np.linalg.norm(theirs, axis=1).max())
+        if largest > 0:
+            states += 1
+            worst = max(worst, float(np.linalg.norm(ours - theirs, axis=1).max()) / largest)
+    return states, worst
+
+
+def printed(text: str) -> list[tuple[float, dict[int, list[float]]]]:
+    """Times and displacements by node that a .dat file holds."""
+    blocks: list[tuple[float, dict[int, list[float]]]] = []
+    reading = False
+    for line in text.splitlines():
+        head = re.match(r"\s*displacements \(vx,vy,vz\).* time\s+(\S+)", line)
+        if head:
+            blocks.append((float(head[1]), {}))
+            reading = True
+        elif reading and (words := line.split()):
+            if not words[0].isdigit():
+                reading = False
+            elif len(words) == 4:
+                blocks[-1][1][int(words[0])] = [float(word) for word in words[1:]]
+    return [block for block in blocks if block[1]]
+
+
+def reasons_of(message: str) -> set[str]:
+    """Keywords that a refused deck names, or its one sentence."""
+    named = set(re.findall(r"\*([A-Z][A-Z -]*[A-Z])[^:]* is missing", message))
+    if named:
+        return {f"*{each}" for each in named}
+    return {re.sub(r"'[^']*'|\d[\d.e-]*", "…", message)[:90]}
+
+
+def _bytes(file: Path) -> bytes:
+    return gzip.decompress(file.read_bytes()) if file.suffix == ".gz" else file.read_bytes()
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), sys.argv[2:])

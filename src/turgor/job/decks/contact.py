@@ -1,0 +1,112 @@
+"""Contact of a deck: pairs of surfaces become contact of walls wherever they meet."""
+
+from dataclasses import dataclass, field
+
+from turgor.core.meshing.exchange.formats.abaqus import Keyword
+from turgor.core.meshing.exchange.formats.raw import numbers
+from turgor.foundation.errors import TurgorError
+from turgor.job.decks.account import Account
+from turgor.job.decks.deck import Deck, words_of
+from turgor.job.decks.parts import coinciding, nodes_of_surface
+from turgor.job.decks.units import DeckUnits
+from turgor.units import format_quantity
+
+
+@dataclass(slots=True)
+class _Interaction:
+    """Friction and penalty of an interaction."""
+
+    friction: float = 0.0
+    stiffness: float | None = None
+
+
+@dataclass(slots=True)
+class _Contact:
+    """What the keywords of contact have stated so far."""
+
+    deck: Deck
+    units: DeckUnits
+    interactions: dict[str, _Interaction] = field(default_factory=dict)
+    last: str = ""
+    used: list[str] = field(default_factory=list)
+
+
+def contact_of(deck: Deck, units: DeckUnits, account: Account) -> dict[str, object]:
+    """Return the table ``[contact]`` of a job, without which walls do not touch.
+
+    Parameters
+    ----------
+    deck : Deck
+    units : DeckUnits
+    account : Account
+        Takes what became of the pairs.
+    """
+    state = _Contact(deck, units)
+    for keyword in deck.model:
+        take = _TAKERS.get(keyword.name)
+        if take is None:
+            continue
+        try:
+            account.taken(keyword, take(state, keyword))
+        except (TurgorError, IndexError) as error:
+            account.missing(keyword, str(error))
+    return _table(state)
+
+
+def _table(state: _Contact) -> dict[str, object]:
+    if not state.used:
+        return {"self_contact": False}
+    one = state.interactions.get(state.used[0], _Interaction())
+    values: dict[str, object] = {"self_contact": True, "friction": one.friction}
+    if one.stiffness is not None:
+        values["stiffness"] = format_quantity(one.stiffness, "MPa/mm")
+    return values
+
+
+def _take_interaction(state: _Contact, keyword: Keyword) -> str:
+    state.last = keyword.given.get("name", "").lower()
+    state.interactions[state.last] = _Interaction()
+    return "contact"
+
+
+def _take_friction(state: _Contact, keyword: Keyword) -> str:
+    coefficient = numbers(keyword.lines[0], keyword.path, "friction")[0]
+    state.interactions.setdefault(state.last, _Interaction()).friction = coefficient
+    return f"friction = {coefficient:g}; where walls stick, turgor chooses how elastically"
+
+
+def _take_behavior(state: _Contact, keyword: Keyword) -> str:
+    kind = keyword.given.get("pressure-overclosure", "hard").lower()
+    if kind == "tied":
+        raise TurgorError("contact that ties has no form here.")
+    if kind != "linear":
+        return "penalty that turgor chooses from the material"
+    slope = numbers(keyword.lines[0], keyword.path, "a penalty")[0] * state.units.stress / state.units.length
+    state.interactions.setdefault(state.last, _Interaction()).stiffness = slope
+    return "penalty of the deck"
+
+
+def _take_pair(state: _Contact, keyword: Keyword) -> str:
+    words = words_of(keyword.lines[0])
+    slave, master = words[0], words[-1]
+    for name in (slave, master):
+        if not len(nodes_of_surface(state.deck, name)):
+            raise TurgorError(f"surface '{name}' is none of solid cells; rigid surfaces have no form here.")
+    if slave != master and coinciding(state.deck, slave, master):
+        raise TurgorError(
+            f"nodes of '{slave}' lie at the place of nodes of '{master}', which a mesh file makes one; leave a gap."
+        )
+    interaction = keyword.given.get("interaction", "").lower()
+    known = {id(state.interactions.get(name)) for name in (*state.used, interaction)}
+    state.used.append(interaction)
+    if len(known) > 1 and len({str(state.interactions.get(name)) for name in state.used}) > 1:
+        raise TurgorError("pairs with different friction or penalties have no form here.")
+    return "contact of walls wherever they meet, with both sides alike"
+
+
+_TAKERS = {
+    "surface interaction": _take_interaction,
+    "friction": _take_friction,
+    "surface behavior": _take_behavior,
+    "contact pair": _take_pair,
+}

@@ -1,0 +1,186 @@
+"""Deck: an .inp file with its nodes, cells, sets and steps, by the numbers of the file."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.core.meshing.exchange.formats.abaqus import Content, Keyword, content_of, keywords_of
+from turgor.core.meshing.exchange.formats.abaqus_sets import SIDES, CellTable, NumberSets
+from turgor.core.meshing.exchange.formats.raw import KINDS
+from turgor.foundation.errors import TurgorError
+
+Ints = NDArray[np.int64]
+
+#: Keywords that begin and end a step.
+_STEP, _END = "step", ("end step", "endstep")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Deck:
+    """An .inp file before it becomes a job.
+
+    Parameters
+    ----------
+    path : Path
+    model : tuple of Keyword
+        What stands before the first step.
+    steps : tuple of tuple of Keyword
+        Each step, beginning with its ``*STEP``.
+    content : Content
+        Nodes, cells, sets and surfaces.
+    """
+
+    path: Path
+    model: tuple[Keyword, ...]
+    steps: tuple[tuple[Keyword, ...], ...]
+    content: Content
+
+    @cached_property
+    def node_ids(self) -> Ints:
+        """Numbers of all nodes."""
+        return np.array(self.content.node_ids, dtype=np.int64)
+
+    @cached_property
+    def place(self) -> dict[int, Sequence[float]]:
+        """Coordinates of each node, in the unit of the deck; the last definition counts."""
+        return dict(zip(self.content.node_ids, self.content.points, strict=True))
+
+    @cached_property
+    def solids(self) -> dict[str, Ints]:
+        """Rows (number, nodes …) of the solid cells of each kind."""
+        return {kind: rows for kind, rows in self._cells.items() if KINDS[kind].dimension == 3}
+
+    @cached_property
+    def sheets(self) -> dict[str, Ints]:
+        """Rows (number, nodes …) of the flat cells of each kind."""
+        return {kind: rows for kind, rows in self._cells.items() if KINDS[kind].dimension == 2}
+
+    @cached_property
+    def _cells(self) -> dict[str, Ints]:
+        return {kind: np.array(rows, dtype=np.int64) for kind, rows in self.content.cells.items()}
+
+    @cached_property
+    def solid_numbers(self) -> Ints:
+        """Numbers of all solid cells, sorted."""
+        return np.sort(np.concatenate([np.zeros(0, dtype=np.int64), *(rows[:, 0] for rows in self.solids.values())]))
+
+    @cached_property
+    def solid_nodes(self) -> Ints:
+        """Numbers of all nodes of solid cells, sorted."""
+        return np.unique(
+            np.concatenate([np.zeros(0, dtype=np.int64), *(rows[:, 1:].ravel() for rows in self.solids.values())])
+        )
+
+    @cached_property
+    def corner_nodes(self) -> Ints:
+        """Numbers of all corners of solid cells, sorted."""
+        corners = [rows[:, 1 : 1 + KINDS[kind].corners].ravel() for kind, rows in self.solids.items()]
+        return np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *corners]))
+
+    @cached_property
+    def node_sets(self) -> NumberSets:
+        """Sets of nodes."""
+        return NumberSets(self.content.node_sets, self.node_ids, "", [])
+
+    @cached_property
+    def cell_sets(self) -> NumberSets:
+        """Sets of cells."""
+        numbers = np.concatenate([np.zeros(0, dtype=np.int64), *(rows[:, 0] for rows in self._cells.values())])
+        return NumberSets(self.content.cell_sets, numbers, "", [])
+
+    @cached_property
+    def cell_table(self) -> CellTable:
+        """Corners of the cells, by the numbers of their nodes."""
+        table = CellTable()
+        for kind, rows in self._cells.items():
+            table.add(KINDS[kind].dimension, rows[:, 0], rows[:, 1 : 1 + KINDS[kind].corners])
+        return table
+
+    @cached_property
+    def outer_sides(self) -> list[Ints]:
+        """Corners of the sides that bound one solid cell only, for three and for four corners."""
+        every: dict[int, list[Ints]] = {3: [], 4: []}
+        for kind, rows in self.solids.items():
+            for side in SIDES.get(KINDS[kind].corners, ()):
+                every[len(side)].append(rows[:, 1:][:, list(side)])
+        outer = []
+        for width, parts in every.items():
+            sides = np.concatenate([np.zeros((0, width), dtype=np.int64), *parts])
+            _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
+            outer.append(sides[first[count == 1]])
+        return outer
+
+    def nodes(self, word: str) -> Ints | None:
+        """Numbers of the nodes that a line names by a number or a set; None for an unknown one."""
+        if word.isdigit():
+            return np.array([int(word)], dtype=np.int64) if int(word) in self.place else None
+        return self.node_sets.numbers(word.strip('"'))
+
+    def cells(self, word: str) -> Ints | None:
+        """Numbers of the cells that a line names by a number or a set; None for an unknown one."""
+        if word.isdigit():
+            known = int(word) in self.cell_table.corners
+            return np.array([int(word)], dtype=np.int64) if known else None
+        return self.cell_sets.numbers(word.strip('"'))
+
+    def surface(self, name: str) -> tuple[tuple[int, str], ...] | None:
+        """Cells and labels of the sides of a surface; None for an unknown one."""
+        known = next((key for key in self.content.surfaces if key.lower() == name.strip('"').lower()), None)
+        if known is None:
+            return None
+        sides = []
+        for where, label in self.content.surfaces[known]:
+            numbers = self.cells(where)
+            sides += [(int(number), label) for number in (() if numbers is None else numbers)]
+        return tuple(sides)
+
+
+def read_deck(path: Path) -> Deck:
+    """Read an .inp file with all that it includes.
+
+    Raises
+    ------
+    TurgorError
+        If there is no such file, it has no nodes, or its lines are damaged.
+    """
+    if not path.is_file():
+        raise TurgorError(f"there is no deck '{path}'.")
+    keywords = keywords_of(path)
+    model: list[Keyword] = []
+    steps: list[list[Keyword]] = []
+    within = False
+    for keyword in keywords:
+        if keyword.name == _STEP:
+            steps.append([keyword])
+            within = True
+        elif keyword.name in _END:
+            within = False
+        elif within:
+            steps[-1].append(keyword)
+        else:
+            model.append(keyword)
+    try:
+        content = content_of(path, keywords)
+        return Deck(path=path, model=tuple(model), steps=tuple(map(tuple, steps)), content=content)
+    except TurgorError:
+        raise
+    except (ArithmeticError, LookupError, TypeError, ValueError) as error:  # what a parser stumbles over
+        raise TurgorError(f"'{path}' cannot be read, the deck seems damaged ({error}).") from error
+
+
+def words_of(line: str) -> list[str]:
+    """Return the words between the commas of a line of data, without those that are empty at its end.
+
+    Examples
+    --------
+    >>> words_of("12, 3, , 0.5,")
+    ['12', '3', '', '0.5']
+    """
+    words = [word.strip() for word in line.split(",")]
+    while words and not words[-1]:
+        words.pop()
+    return words

@@ -1,0 +1,153 @@
+"""Bodies and sheets of a deck: cells with a section, and what joins them."""
+
+from collections.abc import Mapping
+from typing import TypeAlias
+
+import numpy as np
+
+from turgor.core.materials.material import Material
+from turgor.core.meshing.exchange.formats.abaqus import Keyword
+from turgor.core.meshing.exchange.formats.raw import numbers
+from turgor.core.model.layers import as_solid
+from turgor.core.model.sheets import Membrane, Sheet, Shell
+from turgor.foundation.errors import TurgorError, near_match
+from turgor.job.decks.account import Account, listed
+from turgor.job.decks.deck import Deck, words_of
+from turgor.job.decks.names import MeshNames
+from turgor.job.decks.units import DeckUnits
+
+Entries: TypeAlias = dict[str, Material | Sheet]
+
+#: Sections of flat cells, with the sheets that they are.
+_SHEETS: Mapping[str, type[Membrane] | type[Shell]] = {"membrane section": Membrane, "shell section": Shell}
+
+
+def entries_of(
+    deck: Deck, materials: Mapping[str, Material], names: MeshNames, units: DeckUnits, account: Account
+) -> Entries:
+    """Return the materials of a job by the names of its bodies and sheets, from the sections of a deck.
+
+    Parameters
+    ----------
+    deck : Deck
+    materials : mapping of str to Material
+        Those of the deck.
+    names : MeshNames
+        Takes the names of bodies and sheets.
+    units : DeckUnits
+    account : Account
+        Takes what became of the sections and cells.
+    """
+    entries: Entries = {}
+    covered = np.zeros(0, dtype=np.int64)
+    for keyword in deck.model:
+        if not keyword.name.endswith("section"):
+            continue
+        try:
+            cells, material = _section(deck, keyword, materials)
+            if keyword.name == "solid section":
+                covered = np.concatenate([covered, _only(cells, deck.solid_numbers, keyword, deck)])
+                name = names.free(keyword.given["elset"], "body")
+                names.bodies[name] = cells
+                entries[name] = as_solid(material)
+                account.taken(keyword, f"body '{name}' of {len(cells)} cells")
+            else:
+                name = _sheet(keyword, cells, material, names, entries, units)
+                account.taken(keyword, f"{type(entries[name]).__name__.lower()} '{name}' of {len(cells)} cells")
+        except TurgorError as error:
+            account.missing(keyword, str(error))
+    _check_cells(deck, covered, account)
+    return entries
+
+
+def _section(deck: Deck, keyword: Keyword, materials: Mapping[str, Material]) -> tuple[np.ndarray, Material]:
+    if keyword.name not in ("solid section", *_SHEETS):
+        raise TurgorError("such a section has no form here; bodies are solids, with sheets on their faces.")
+    cells = deck.cells(keyword.given.get("elset", ""))
+    if cells is None or not len(cells):
+        raise TurgorError(f"the set '{keyword.given.get('elset', '')}' has no cells that are read.")
+    name = keyword.given.get("material", "").lower()
+    if name not in materials:
+        raise TurgorError(f"its material '{name}' was not understood{near_match(name, materials)}.".replace("?.", "?"))
+    if "orientation" in keyword.given and not isinstance(materials[name], Material):
+        raise TurgorError("an orientation has no form here.")
+    return cells, materials[name]
+
+
+def _only(cells: np.ndarray, solids: np.ndarray, keyword: Keyword, deck: Deck) -> np.ndarray:
+    """The cells of a solid section, which must all be solid ones."""
+    if not np.isin(cells, solids).all():
+        raise TurgorError("plane and axisymmetric cells have no form here; the model must be three-dimensional.")
+    return cells
+
+
+def _sheet(
+    keyword: Keyword, cells: np.ndarray, material: Material, names: MeshNames, entries: Entries, units: DeckUnits
+) -> str:
+    """Add a membrane or a shell on sides of solid cells; return its name."""
+    deck = names.deck
+    thickness = numbers(keyword.lines[0], keyword.path, "a thickness")[0] * units.length if keyword.lines else 0.0
+    corners = [deck.cell_table.corners[int(cell)][1] for cell in cells]
+    outer = {tuple(sorted(side)) for sides in deck.outer_sides for side in sides.tolist()}
+    if any(tuple(sorted(each.tolist())) not in outer for each in corners):
+        raise TurgorError("sheets that do not lie on sides of solid cells have no form here.")
+    name = names.free(keyword.given["elset"], "sheet")
+    entries[name] = _SHEETS[keyword.name](material, thickness)
+    names.sheets[name] = cells
+    return name
+
+
+def _check_cells(deck: Deck, covered: np.ndarray, account: Account) -> None:
+    """Say what became of each ``*ELEMENT``."""
+    if len(np.unique(covered)) != len(covered):
+        keyword = next(each for each in deck.model if each.name == "solid section")
+        account.missing(keyword, "sections overlap: a cell has two materials.")
+    for keyword in deck.model:
+        if keyword.name != "element":
+            continue
+        kind = keyword.given.get("type", "").upper()
+        if not kind.startswith(("C3D", "M3D", "S")) or kind.startswith(("SPRING", "SFM")):
+            account.missing(keyword, f"cells of the type {kind} have no form here.")
+        elif kind.startswith("C3D"):
+            account.taken(keyword, "solid cells, of second order in turgor, with mean stresses of their own")
+        else:
+            account.taken(keyword, "sheet on sides of solid cells")
+    bare = np.setdiff1d(deck.solid_numbers, covered)
+    if len(bare):
+        keyword = next(each for each in deck.model if each.name == "element")
+        account.missing(keyword, f"{len(bare)} solid cells have no section that was understood: {listed(bare)}.")
+
+
+def check_ties(deck: Deck, account: Account) -> None:
+    """Say what became of ties: nodes at the same place become one, and other ties have no form."""
+    for keyword in deck.model:
+        if keyword.name != "tie":
+            continue
+        for line in keyword.lines:
+            surfaces = words_of(line)
+            if len(surfaces) < 2 or not _meet(deck, surfaces[0], surfaces[1]):
+                account.missing(keyword, "surfaces whose nodes do not coincide cannot be tied here; mesh them alike.")
+            else:
+                account.taken(keyword, "nodes at the same place become one")
+
+
+def nodes_of_surface(deck: Deck, name: str) -> np.ndarray:
+    """Return the numbers of the corners of a surface, or of the nodes of one of nodes."""
+    sides = deck.surface(name)
+    if sides is None:
+        nodes = deck.node_sets.numbers(name)
+        return np.zeros(0, dtype=np.int64) if nodes is None else np.intersect1d(nodes, deck.corner_nodes)
+    corners = [deck.cell_table.side(*side)[0] for side in sides]
+    known = [each for each in corners if each is not None]
+    return np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *known]))
+
+
+def coinciding(deck: Deck, one: str, other: str) -> int:
+    """Return how many nodes of one surface lie at the place of a node of another."""
+    points = {tuple(np.round(deck.place[int(node)], 9)) for node in nodes_of_surface(deck, other)}
+    return sum(tuple(np.round(deck.place[int(node)], 9)) in points for node in nodes_of_surface(deck, one))
+
+
+def _meet(deck: Deck, one: str, other: str) -> bool:
+    count = len(nodes_of_surface(deck, one))
+    return count > 0 and coinciding(deck, one, other) == count
