@@ -52,6 +52,8 @@ def _ends(option: str, text: str, whole: str = "") -> tuple[float, float]:
         raise TurgorError(
             f"{option} is '{whole or text}'; write smallest and largest stretch, for example {example}."
         ) from None
+    if not 0 < low < high:
+        raise TurgorError(f"{option} is '{whole or text}'; the smaller stretch comes first, and both are above 0.")
     return low, high
 
 
