@@ -1,13 +1,17 @@
 """Commands ``turgor materials list | choose | show | plot``: thin calls of public functions."""
 
 from collections.abc import Sequence
+from math import inf
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from turgor.cli.exits import errors_as_sentences
 from turgor.cli.options import Debug, Json, output_option
+
+if TYPE_CHECKING:
+    from turgor.core.materials.library.choose import MaterialRow
 
 materials_app = typer.Typer(
     rich_markup_mode=None,
@@ -47,7 +51,7 @@ def _list(as_json: Json = False, debug: Debug = False) -> None:
                 str(each.records),
                 each.record or "–",
             )
-            for each in sorted(material_rows(), key=lambda row: (KINDS.index(row.kind), row.modulus or 0.0))
+            for each in sorted(material_rows(), key=lambda row: (KINDS.index(row.kind), row.modulus or inf))
         ]
         typer.echo(_aligned([head, *rows]))
         typer.echo("E is the initial Young's modulus of the record to take, and of all sets without a warning.")
@@ -65,34 +69,59 @@ def _choose(
         str, typer.Option(help="Shore hardness, such as '10 A' or '00-30'; up to 10 points off.", show_default=False)
     ] = "",
     reach: Annotated[
-        float | None,
+        str,
         typer.Option(
             "--for",
-            help="Largest stretch that the actuator sees: rubbers that break below are left out.",
+            help="What the actuator sees: its largest stretch, 'stretch 1:2.5', or the folder of a run. Rubbers that "
+            "break below are left out.",
             metavar="STRETCH",
             show_default=False,
         ),
-    ] = None,
+    ] = "",
     count: Annotated[int, typer.Option(min=1, help="Number of rubbers to print.")] = 5,
+    as_json: Json = False,
     debug: Debug = False,
 ) -> None:
     """Find rubbers whose modulus at a stretch, or whose hardness, is near a wanted one."""
-    with errors_as_sentences(debug):
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.file_results import choice_result
         from turgor.core.materials.library.choose import choose
-        from turgor.core.materials.library.spread import spread_of
         from turgor.units import parse_quantity
 
         wanted = None if modulus is None else parse_quantity(modulus, "pressure")
-        near = choose(wanted, stretch, hardness=hardness, reach=reach)[:count]
-        head = ("material", "Shore", f"at stretch {stretch:g}", "tested stretch", "breaks at", "record")
-        rows = [(row.name, row.hardness or "–", _modulus(value), _stretches(row.stretch_range), _stretch(row.ultimate),
-                 row.record) for row, value in near]  # fmt: skip
-        typer.echo(_aligned([head, *rows]))
-        for row, _ in near:
-            if row.why:
-                typer.echo(f"{row.name}: {row.why}")
-        if near:
-            typer.echo(f"Spread of {spread_of(near[0][0].name)}.")
+        largest = _largest(reach)
+        near = choose(wanted, stretch, hardness=hardness, reach=largest)[:count]
+        _print_choice(near, stretch, max(stretch, largest or stretch))
+        answer.give(lambda: choice_result(near, stretch))
+
+
+def _largest(reach: str) -> float | None:
+    """Largest stretch of ``--for``; None where it is not stated."""
+    from turgor.cli.fitting.fit_texts import working_range
+
+    try:
+        return float(reach) if reach else None
+    except ValueError:
+        seen = working_range("", reach)
+        return None if seen is None else seen[1]
+
+
+def _print_choice(near: "Sequence[tuple[MaterialRow, float]]", stretch: float, end: float) -> None:
+    """Print a table of rubbers, why these records, and the spread of the first."""
+    from turgor.core.materials.library.choose import reaches
+    from turgor.core.materials.library.spread import spread_of
+
+    head = ("material", "Shore", f"at stretch {stretch:g}", "tested stretch", "breaks at", "record")
+    rows = [(row.name, row.hardness or "–", _modulus(value), _stretches(row.stretch_range), _stretch(row.ultimate),
+             row.record) for row, value in near]  # fmt: skip
+    typer.echo(_aligned([head, *rows]))
+    for row, _ in near:
+        if row.why:
+            typer.echo(f"{row.name}: {row.why}")
+    short = [row.name for row, _ in near if not reaches(row.stretch_range, end)]
+    if short:
+        typer.echo(f"Not tested up to stretch {end:g}: {', '.join(short)}. Beyond its tests a law is a guess (M01).")
+    typer.echo(f"Spread of {spread_of(near[0][0].name)}.")
 
 
 def _modulus(value: float | None) -> str:

@@ -27,6 +27,13 @@ Changes = Annotated[
         show_default=False,
     ),
 ]
+Compliance = Annotated[
+    str,
+    typer.Option(
+        help="How far the machine or rig gives way, such as '0.02 mm/N'; or the file of a pull on a stiff specimen, "
+        "which shows it."
+    ),
+]
 Retry = Annotated[bool, typer.Option("--retry", help="Compute runs that failed or ended early before again.")]
 #: The option for one JSON document.
 JSON = "--json"

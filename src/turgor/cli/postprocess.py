@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Debug, Json, check_new, name_and_unit, output_option
+from turgor.cli.options import Compliance, Debug, Json, check_new, name_and_unit, output_option
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -114,6 +114,7 @@ def compare_command(
     remove: Annotated[
         str, typer.Option(help="offset, drift, or both with a comma: what is taken away from the measured values.")
     ] = "",
+    compliance: Compliance = "",
     ranges: Annotated[
         list[str] | None,
         typer.Option(
@@ -130,12 +131,13 @@ def compare_command(
     with errors_as_sentences(debug, as_json) as answer:
         from turgor.accuracy.laboratory.chosen_rows import ChosenRows
         from turgor.cli.answers.results import compared_result
+        from turgor.core.materials.experiments.machine import stated_machine
         from turgor.job.compare import ComparisonOptions, compare_folder, is_run
 
         units = dict(name_and_unit(each) for each in unit or ())
         rows = ChosenRows(
             units=units, ranges=ranges or (), branch=branch_of(only_loading, only_unloading), by=by,
-            remove=[each.strip() for each in remove.split(",") if each.strip()],
+            remove=[each.strip() for each in remove.split(",") if each.strip()], machine=stated_machine(compliance),
         )  # fmt: skip
         options = ComparisonOptions(y=y, x=x, rows=rows)
         comparison, files = compare_folder(run, experiment, options)

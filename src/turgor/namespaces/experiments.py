@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     from turgor.accuracy.laboratory.compare import Comparison as Comparison
     from turgor.accuracy.laboratory.compare import compare as compare
     from turgor.accuracy.laboratory.comparison_plot import comparison_figure as comparison_figure
+    from turgor.accuracy.laboratory.compliance import without_compliance as without_compliance
     from turgor.accuracy.laboratory.markers import Tracks as Tracks
     from turgor.accuracy.laboratory.markers import read_tracks as read_tracks
     from turgor.accuracy.laboratory.read_experiment import read_experiment as read_experiment

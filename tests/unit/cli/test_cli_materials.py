@@ -201,6 +201,12 @@ def test_choose_by_hardness_and_reach(capsys: pytest.CaptureFixture[str]) -> Non
     assert "Spread of " in out
     assert main(["materials", "choose"]) == BAD_INPUT
     assert states(capsys.readouterr().err, "modulus", "hardness")
+    assert main(["materials", "choose", "--hardness", "30 A", "--for", "stretch 1:5", "--json"]) == DONE
+    result = json.loads(capsys.readouterr().out)["result"]
+    assert "dragon-skin-30" not in [each["material"] for each in result["rubbers"]]
+    assert main(["materials", "choose", "--modulus", "100 kPa", "--for", "12", "--count", "2"]) == DONE
+    assert "Not tested up to stretch 12: " in capsys.readouterr().out
+    assert main(["materials", "choose", "--modulus", "100 kPa", "--for", "wide"]) == BAD_INPUT
 
 
 def test_show_prints_strength_cure_and_spread(capsys: pytest.CaptureFixture[str]) -> None:

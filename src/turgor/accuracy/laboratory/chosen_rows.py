@@ -4,10 +4,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from turgor.accuracy.laboratory.compliance import without_compliance
 from turgor.accuracy.laboratory.headers import spelled_column
-from turgor.accuracy.laboratory.read_experiment import read_experiment, read_experiments
+from turgor.accuracy.laboratory.read_experiment import read_experiment, read_experiments, specimen_column
 from turgor.accuracy.laboratory.rest import remove_drift
 from turgor.accuracy.laboratory.runs import average_runs, branches, loading, unloading, within_ranges
+from turgor.core.materials.experiments.machine import Machine
 from turgor.core.results.drive import drive_of
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Response
@@ -38,6 +40,8 @@ class ChosenRows:
     remove : sequence of str
         Of `REMOVED`: an offset is known only in comparison with a computation, which takes it away; the drift is taken
         away here.
+    machine : Machine or None
+        The rig that gives way: its part of a measured displacement is taken away.
     """
 
     units: Mapping[str, str] = field(default_factory=dict)
@@ -46,6 +50,7 @@ class ChosenRows:
     branch: str = "both"
     by: str = ""
     remove: Sequence[str] = ()
+    machine: Machine | None = None
 
     def __post_init__(self) -> None:
         if self.branch not in BRANCHES:
@@ -72,6 +77,13 @@ class ChosenRows:
         """
         if not self.by:
             whole = read_experiment(file, units=self.units, columns=self.columns)
+            column, count = specimen_column(file)
+            if count > 1:
+                raise TurgorError(
+                    f"'{file.name}' holds {count} specimens, one below the other, by its column '{column}'.",
+                    python=f"Read their mean with by='{column}'.",
+                    command=f"Take their mean with --by '{column}'.",
+                )
             return self.of(whole, x, y), {}
         names = [each.strip() for each in self.by.split(",")]
         whole_ones = read_experiments(file, names, units=self.units, columns=self.columns)
@@ -93,8 +105,10 @@ class ChosenRows:
     def of(self, whole: Response, x: str | None = None, y: str | None = None) -> Response:
         """Return the chosen rows of a measurement."""
         drive = driving(whole, x)
+        named = spelled_column((y or "").rpartition("=")[2].strip(), whole.names)
+        if self.machine is not None:
+            whole = without_compliance(whole, self.machine, (drive, named))
         if "drift" in self.remove:
-            named = spelled_column((y or "").rpartition("=")[2].strip(), whole.names)
             drifting = [named] if named else [name for name in whole.names if name not in (drive, "time")]
             for name in drifting:
                 whole = remove_drift(whole, name, drive)

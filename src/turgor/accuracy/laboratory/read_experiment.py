@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.accuracy.laboratory.headers import Header, column_name, read_header, split_header_unit
+from turgor.core.materials.experiments.columns import role_of, split_unit
 from turgor.core.materials.experiments.table_text import Table, read_table
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import Column, Response
@@ -104,6 +105,35 @@ def read_experiments(
         part = table.keeping(each == label for each in labels)
         experiments[label] = _response(part, headers, Source(text=table.file, detail=label))
     return experiments
+
+
+def specimen_column(path: str | Path) -> tuple[str, int]:
+    r"""Return the column that tells the specimens of a table apart, and their number; an empty name and 0 for none.
+
+    A counter of rows, which some recorders call sample, tells no specimens apart.
+
+    Parameters
+    ----------
+    path : str or Path
+        See `read_experiment`.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder) / "finger.csv"
+    ...     _ = file.write_text("specimen,pressure_kPa,angle_deg\nA,0,0\nA,10,3\nB,0,0\nB,10,4\n")
+    ...     specimen_column(file)
+    ('specimen', 2)
+    """
+    table = read_table(path)
+    for place, name in enumerate(table.names):
+        words, unit = split_unit(name)
+        if unit is None and role_of(words) in ("specimen", "batch"):
+            values = [row[place] if place < len(row) else "" for row in table.rows]
+            if 2 * len(set(values)) <= len(values):
+                return name, len(set(values))
+    return "", 0
 
 
 def _named(table: Table, columns: Mapping[str, str] | Sequence[str] | None) -> Table:

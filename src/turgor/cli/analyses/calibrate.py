@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobOrStudy, Json, Retry, command_of, output_option
+from turgor.cli.options import Changes, Compliance, Debug, JobOrStudy, Json, Retry, command_of, output_option
 from turgor.cli.start.signals import ends_at_once, saved_in_folder
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ Texts = list[str] | None
 OPTIONS = {
     "experiments": "EXPERIMENT", "hold_out": "--hold-out", "rig": "--rig", "units": "--unit", "spread": "--spread",
     "y": "--y", "x": "--x", "loading": "--loading", "unloading": "--unloading", "by": "--by",
-    "remove": "--remove", "ranges": "--range",
+    "remove": "--remove", "ranges": "--range", "compliance": "--compliance",
 }  # fmt: skip
 
 
@@ -77,6 +77,7 @@ class _Options:
         str, typer.Option(help="Column that tells specimens apart: their mean is fitted, weighted by their spread.")
     ] = ""
     remove: Annotated[Texts, often("--remove", "PART", "drift: what has not come back at the end of a record.")] = None
+    compliance: Compliance = ""
     ranges: Annotated[
         Texts,
         often(
@@ -153,6 +154,7 @@ def _stated(options: _Options) -> "tuple[StudyFile, str]":
         "by": options.by,
         "remove": list(options.remove or ()),
         "ranges": list(options.ranges or ()),
+        "compliance": options.compliance,
     }
     table = {key: value for key, value in given.items() if value}
     places: dict[tuple[str, ...], str] = {}

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from turgor.core.materials.fitting.histories.history_fit import HistoryFit
     from turgor.core.materials.fitting.ranking import Ranking
     from turgor.core.materials.fitting.result import Fit
+    from turgor.core.materials.library.choose import MaterialRow
     from turgor.job.decks.account import DeckRow
 
 
@@ -103,6 +104,23 @@ class MaterialsResult:
     """
 
     materials: Mapping[str, Sequence[dict[str, Any]]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ChoiceResult:
+    """``turgor materials choose``.
+
+    Parameters
+    ----------
+    stretch : float
+        Stretch of the moduli.
+    rubbers : list of tables
+        The nearest first: ``material``, ``hardness``, ``modulus`` [Pa] at that stretch, ``record`` and ``why`` it is
+        the one to take, ``stretch_range`` and ``ultimate_stretch``.
+    """
+
+    stretch: float
+    rubbers: Sequence[dict[str, Any]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -211,6 +229,23 @@ def materials_result(names: Iterable[str], record: str | None = None) -> Materia
         ]
 
     return MaterialsResult(materials={name: listed(name) for name in names})
+
+
+def choice_result(near: "Sequence[tuple[MaterialRow, float]]", stretch: float) -> ChoiceResult:
+    """Make the result on rubbers that were chosen."""
+    rubbers = [
+        {
+            "material": row.name,
+            "hardness": row.hardness,
+            "modulus": value,
+            "record": row.record,
+            "why": row.why,
+            "stretch_range": row.stretch_range,
+            "ultimate_stretch": row.ultimate,
+        }
+        for row, value in near
+    ]
+    return ChoiceResult(stretch=stretch, rubbers=rubbers)
 
 
 def families_result(name: str | None = None) -> FamiliesResult:

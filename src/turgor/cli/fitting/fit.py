@@ -67,6 +67,10 @@ def _check(chosen: FitOptions) -> None:
     working_range(chosen.range_, chosen.working)
     zero_of(chosen.zero)
     check_directions(chosen)
+    if chosen.rubber:
+        from turgor.core.materials.library.record_files import records
+
+        records(chosen.rubber)
     over_time = chosen.behavior
     if chosen.average and (chosen.each or over_time):
         raise TurgorError(f"--average goes with neither --each nor {_OVER_TIME}.")

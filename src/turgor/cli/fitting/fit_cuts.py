@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import typer
 
 from turgor.cli.fitting.fit_options import DEFAULT_LAWS, FitOptions
-from turgor.cli.fitting.fit_texts import common_name, cuts_of, fixed_of, names_cuts
-from turgor.foundation.errors import TurgorError
+from turgor.cli.fitting.fit_texts import CUTS, common_name, cuts_of, fixed_of, names_cuts
+from turgor.foundation.errors import TurgorError, unknown
 
 if TYPE_CHECKING:
     from turgor.core.materials.experiments.material_test import MaterialTest
@@ -65,6 +65,9 @@ def check_directions(chosen: FitOptions) -> None:
         )
         raise TurgorError(f"--directions does not go with {' and '.join(given)}.{why}")
     count = len(cuts_of(chosen.directions))
+    for cut in cuts_of(chosen.directions) if count > 1 else ():
+        if cut not in CUTS:
+            raise unknown("direction in --directions", cut, CUTS)
     if names_cuts(chosen.directions) and count != len(chosen.files):
         raise TurgorError(
             f"--directions names {count} direction{'s' * (count > 1)} for {len(chosen.files)} files; give one for each "

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from turgor.cli.fitting.fit_behavior import Behavior
-from turgor.cli.options import Debug, Json, output_option
+from turgor.cli.options import Compliance, Debug, Json, output_option
 
 #: Laws that are fitted by default, from few to many parameters.
 DEFAULT_LAWS = "neo-hooke,mooney-rivlin,yeoh,ogden-3,gent"
@@ -44,13 +44,7 @@ class FitOptions:
     cycle: Annotated[
         int | None, typer.Option(help="Loading curve of cyclic tests: 1 the first, -1 the last.", show_default=False)
     ] = None
-    compliance: Annotated[
-        str,
-        typer.Option(
-            help="How far the machine gives way, such as '0.02 mm/N'; or the file of a pull on a stiff specimen, "
-            "which shows it."
-        ),
-    ] = ""
+    compliance: Compliance = ""
     preload: Annotated[str, typer.Option(help="Nominal stress at which the specimen is taut, such as '0.7 kPa'.")] = ""
     zero: Annotated[
         str, typer.Option(help="Stretch at which the stress is zero, such as 1.034, from which it counts; or auto.")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from turgor.cli.fitting.fit_options import FitOptions
-from turgor.cli.fitting.fit_texts import machine_of, names_cuts, preload_of, specimens_of, working_range, zero_of
+from turgor.cli.fitting.fit_texts import names_cuts, preload_of, specimens_of, working_range, zero_of
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -127,9 +127,9 @@ def _read_all(
 
 def _of_machine(test: "MaterialTest", chosen: FitOptions) -> "MaterialTest":
     """Return a test without what the testing machine gave way."""
-    from turgor.core.materials.experiments.machine import remove_compliance
+    from turgor.core.materials.experiments.machine import remove_compliance, stated_machine
 
-    machine = machine_of(chosen.compliance)
+    machine = stated_machine(chosen.compliance)
     return test if machine is None else remove_compliance(test, machine)
 
 

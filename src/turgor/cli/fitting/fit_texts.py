@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
-    from turgor.core.materials.experiments.machine import Machine
     from turgor.core.materials.experiments.specimen import Specimen
 
 #: Directions that specimens are cut along; a test compares them with those of `fit_directions`.
@@ -53,6 +52,8 @@ def _ends(option: str, text: str, whole: str = "") -> tuple[float, float]:
         raise TurgorError(
             f"{option} is '{whole or text}'; write smallest and largest stretch, for example {example}."
         ) from None
+    if not 0 < low < high:
+        raise TurgorError(f"{option} is '{whole or text}'; the smaller stretch comes first, and both are above 0.")
     return low, high
 
 
@@ -139,28 +140,6 @@ def zero_of(text: str) -> float | str | None:
         raise TurgorError(
             f"--zero is '{text}'; write auto, or the stretch at which the stress is zero, such as 1.034."
         ) from None
-
-
-def machine_of(text: str) -> "Machine | None":
-    """Return the machine of ``--compliance``: a number with its unit, or the file of a reference run.
-
-    Examples
-    --------
-    >>> machine_of("0.02 mm/N").text, machine_of("")
-    ('0.02 mm/N', None)
-    """
-    from turgor.core.materials.experiments.machine import Machine, read_machine
-
-    if not text:
-        return None
-    if Path(text).is_file():
-        return read_machine(text)
-    if not text[:1].isdigit() and text[:1] not in "+-.":
-        raise TurgorError(
-            f"--compliance is '{text}'; write a number such as '0.02 mm/N', or the file of a pull on a stiff specimen; "
-            "no file has this name."
-        )
-    return Machine(compliance=text)
 
 
 def names_cuts(text: str) -> bool:

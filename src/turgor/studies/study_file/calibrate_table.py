@@ -9,6 +9,7 @@ from typing import Any
 from pydantic import Field
 
 from turgor.accuracy.laboratory.chosen_rows import ChosenRows
+from turgor.core.materials.experiments.machine import stated_machine
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import COLUMN_UNITS, Response
 from turgor.job.text.problems import Problems
@@ -50,6 +51,8 @@ class CalibrateTable(Table):
         ``["drift"]`` takes away what has not come back at the end of a record.
     ranges : list of str
         Ranges of measured columns, such as ``["pressure=0..30 kPa"]``; rows outside are left out.
+    compliance : str
+        How far the rig gives way, such as ``"0.04 mm/N"``, or the file of a pull on a stiff specimen.
     most_solves : int
     """
 
@@ -65,6 +68,7 @@ class CalibrateTable(Table):
     by: str = ""
     remove: list[str] = Field(default_factory=list)
     ranges: list[str] = Field(default_factory=list)
+    compliance: str = ""
     most_solves: int | None = None
 
 
@@ -96,7 +100,7 @@ def read_calibrate(
         return None
     if not table.experiments:
         problems.add((*CALIBRATE, "experiments"), "nothing is fitted; name a table of a laboratory, or several.")
-    lists = {key: [problems.attempt((*CALIBRATE, key), partial(_measured, folder / name, table)) for name in names]
+    lists = {key: [problems.attempt((*CALIBRATE, key), partial(_measured, folder, name, table)) for name in names]
              for key, names in (("experiments", table.experiments), ("hold_out", table.hold_out))}  # fmt: skip
     measured = [each for several in lists.values() for each in several if each is not None]
     spreads = problems.attempt((*CALIBRATE, "spread"), partial(_spreads, table.spread, measured))
@@ -145,14 +149,17 @@ def parameter_of(key: str, given: Any, numbers: Mapping[str, JobNumber]) -> Para
     )  # fmt: skip
 
 
-def _measured(file: Path, table: CalibrateTable) -> Response:
+def _measured(folder: Path, name: str, table: CalibrateTable) -> Response:
     if table.loading and table.unloading:
         raise TurgorError("loading and unloading are both true, which leaves nothing; leave both out to fit both.")
     if "offset" in table.remove:
         raise TurgorError('an offset is fitted, not removed: name it in rig, such as "bending_angle_offset".')
     branch = "loading" if table.loading else "unloading" if table.unloading else "both"
-    rows = ChosenRows(units=table.units, ranges=table.ranges, branch=branch, by=table.by, remove=table.remove)
-    return rows.read(file, table.x, table.y)[0]
+    rows = ChosenRows(
+        units=table.units, ranges=table.ranges, branch=branch, by=table.by, remove=table.remove,
+        machine=stated_machine(table.compliance, folder),
+    )  # fmt: skip
+    return rows.read(folder / name, table.x, table.y)[0]
 
 
 def _spreads(texts: Sequence[str], measured: Sequence[Response]) -> list[float | None]:

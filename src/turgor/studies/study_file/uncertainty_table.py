@@ -104,5 +104,11 @@ def _spread(key: str, given: Mapping[str, Any], base: JobBase) -> Input:
         return fitted_alternatives(key, label, base.stated_materials, base.file.parent, base.numbers)
     if not isinstance(given["spread"], str):
         raise TurgorError(f'spread is {given["spread"]!r}; write a text with its unit, such as "0.1 mm".')
+    if key.removeprefix("materials.") in base.stated_materials:
+        raise TurgorError(
+            f"'{key}' is a whole material, and its spread is '{given['spread']}'; write {LIBRARY}, for the spread "
+            f"between laboratories, or {FITTED}, for that of a fit. A deviation belongs to one constant, such as "
+            f"{key}.C10."
+        )
     name, number = (key, PRESSURE) if key == PRESSURE.key else base.number(key)
     return read_spread(name, given["spread"], number, str(given.get("label", "")))

@@ -8,9 +8,12 @@ import pytest
 from refused import refused
 from turgor.accuracy.laboratory.chosen_rows import ChosenRows
 from turgor.accuracy.laboratory.compare import compare
+from turgor.accuracy.laboratory.compliance import without_compliance
+from turgor.accuracy.laboratory.read_experiment import specimen_column
 from turgor.accuracy.laboratory.rest import remove_drift, rest_of
 from turgor.cli.app import main
 from turgor.cli.exits import BAD_INPUT, DONE
+from turgor.core.materials.experiments.machine import Machine
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
 
@@ -51,6 +54,38 @@ def test_offset_and_drift_are_estimated_and_taken_away():
     assert rest_of(steady, "pressure", "bending_angle").drift == pytest.approx(0.0, abs=1e-3)
     assert compare(line(), steady).rms == pytest.approx(0.02, rel=0.02)
     assert not any("the lowest" in note or "drifts" in note for note in compare(line(), cycle()).notes)
+
+
+def pull(sign=1.0, **more):
+    """An actuator of 0.5 N/mm, pulled by a rig that gives way by 0.04 mm/N."""
+    way = sign * np.linspace(0.0, 20e-3, 21)
+    force = sign * 500.0 * np.abs(way)
+    columns = [Column("tip_displacement_x", "mm", way + 0.04e-3 * force), Column("reaction", "N", force)]
+    columns += [Column(name, unit, values) for name, (unit, values) in more.items()]
+    return Response(columns=tuple(columns), source=Source(text="a pull"))
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_what_the_rig_gives_way_is_taken_away(sign):
+    rig = Machine(compliance="0.04 mm/N")
+    bare = without_compliance(pull(sign), rig)
+    assert bare["reaction"] == pytest.approx(500.0 * bare.column("tip_displacement_x"), abs=1e-9)
+    # a force against the motion, as a support reports it
+    columns = (pull(sign).columns[0], Column("reaction", "N", -pull(sign)["reaction"]))
+    against = without_compliance(Response(columns=columns, source=Source(text="a pull")), rig)
+    assert against["tip_displacement_x"] == pytest.approx(bare["tip_displacement_x"])
+
+
+def test_a_rig_that_gives_way_needs_one_displacement_and_one_force():
+    rig = Machine(compliance="0.04 mm/N")
+    two = pull(gap=("mm", np.zeros(21)))
+    with refused("one displacement", "gap"):
+        without_compliance(two, rig)
+    assert np.ptp(without_compliance(two, rig, ("tip_displacement_x",))["tip_displacement_x"]) == pytest.approx(0.02)
+    with refused("one force", "has none"):
+        without_compliance(response([0, 1e3], [0, 1], way=("mm", [0, 1e-3])), rig)
+    with refused("4 mm/N", "40 mm", "tip_displacement_x"):
+        without_compliance(pull(), Machine(compliance="4 mm/N"))
 
 
 def test_a_record_that_does_not_come_back_has_no_drift():
@@ -172,3 +207,33 @@ def test_two_runs_name_what_differs(tmp_path, capsys):
     (row,) = [each.split() for each in said.splitlines() if each.startswith("bending_angle")]
     assert row[2:4] == ["11.46", "5.73"]
     assert "cavity_volume [mL]" in said and "of the other run's range" in said
+
+
+def test_a_rig_that_gives_way_on_the_command_line(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    pull().to_csv(tmp_path / "rig.csv")
+    way = np.linspace(0.0, 20e-3, 5)
+    columns = Column("tip_displacement_x", "mm", way), Column("reaction", "N", 500.0 * way)
+    Response(columns=columns, source=Source(text="a run")).to_csv(tmp_path / "run.csv")
+    steel = "\n".join(f"{0.04 * force:g},{force}" for force in range(0, 24, 2))
+    (tmp_path / "steel.csv").write_text(f"Extension (mm),Force (N)\n{steel}\n", encoding="utf-8")
+    pair = ["compare", "run.csv", "rig.csv", "--x", "tip_displacement_x", "--y", "reaction"]
+    differences = []
+    for stated in ((), ("--compliance", "0.04 mm/N"), ("--compliance", "steel.csv")):
+        assert main([*pair, *stated, "--json"]) == DONE
+        differences.append(json.loads(capsys.readouterr().out)["result"]["rms"])
+    assert differences[0] > 0.05 and max(differences[1:]) < 1e-9
+    assert main([*pair, "--compliance", "iron.csv"]) == BAD_INPUT
+    assert "iron.csv" in capsys.readouterr().err
+
+
+def test_specimens_one_below_the_other_are_no_loading_and_unloading(tmp_path):
+    rows = [f"{name},{pressure},{pressure}" for name in ("A1", "B2") for pressure in range(5)]
+    file = tmp_path / "rig.csv"
+    file.write_text("specimen,pressure_kPa,angle_deg\n" + "\n".join(rows) + "\n", encoding="utf-8")
+    with refused("2 specimens", "'specimen'"):
+        ChosenRows().read(file, None, None)
+    assert len(ChosenRows(by="specimen").read(file, None, None)[1]) == 2
+    counter = [f"{n},{n},{n}" for n in range(8)]
+    file.write_text("sample,pressure_kPa,angle_deg\n" + "\n".join(counter) + "\n", encoding="utf-8")
+    assert specimen_column(file) == ("", 0)

@@ -61,6 +61,9 @@ def test_batches_have_one_fit_and_a_spread(call, tmp_path):
     ("arguments", "sentence"),
     [
         (["--for", "stretch 1-2.5"], "--for is 'stretch 1-2.5'"),
+        (["--for", "stretch 2.5:1"], "the smaller stretch comes first"),
+        (["--range", "-1:2"], "both are above 0"),
+        (["--directions", "alng,across"], "did you mean 'along'"),
         (["--for", "1:2", "--range", "1:2"], "give one of them"),
         (["--for", "."], "holds no response.csv"),
         (["--zero", "soon"], "--zero is 'soon'"),

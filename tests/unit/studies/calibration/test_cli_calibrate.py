@@ -104,6 +104,8 @@ def test_files_and_sentences(call, folder):
         (["--free", "materials.body.C10", "--unit", "pressure"], "--unit is 'pressure'"),
         (["--free", "materials.body.C10", "--loading", "--unloading"], "leave both out to fit both"),
         (["--free", "materials.body.C10", "--remove", "offset"], "name it in rig"),
+        (["--free", "materials.body.C10", "--compliance", "0.04 mm"], "'0.04 mm'"),
+        (["--free", "materials.body.C10", "--compliance", "0.04 mm/N"], "needs one force in"),
         (["--free", "materials.body.C10", "--by", "specimen"], "unknown column 'specimen'"),
         ([], "a calibration needs a parameter that is free"),
         (["--free", "materials.body.C10", "--output", "."], "holds files of something else"),

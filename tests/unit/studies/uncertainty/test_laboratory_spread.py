@@ -56,6 +56,8 @@ def test_what_has_no_spread_is_answered(job, capsys: pytest.CaptureFixture[str])
     job(STATED)
     assert main(["uncertainty", "tube.toml", "--spread", "materials.body=library"]) == BAD_INPUT
     assert "is no record of the library" in capsys.readouterr().err
+    assert main(["uncertainty", "tube.toml", "--spread", "materials.body=libary"]) == BAD_INPUT
+    assert "write library, for the spread between laboratories, or fitted" in capsys.readouterr().err
     base = JobBase(job(YEOH), {})
     with refused("'materials.bod'", "'materials.body'"):
         laboratory_alternatives("materials.bod", "", base.job, base.numbers)

@@ -120,6 +120,8 @@ def find_columns(names: Sequence[str], roles: Mapping[str, str], file: str) -> t
     for index, name in enumerate(names):
         text, unit = split_unit(name)
         role = stated.get(index, role_of(text))
+        if role == "batch" and role in roles and index not in stated:
+            role = "specimen"  # another column tells the batches; this one still tells specimens apart
         if role in WORDS:
             columns.append(Column(index=index, name=name, role=role, factor=1.0))
         elif role == "time" and unit not in FACTORS["time"] and index not in stated:

@@ -111,6 +111,32 @@ def read_machine(path: str | Path) -> Machine:
     return Machine(compliance=line.slope, error=line.error, forces=ends, source=f"from '{table.file}'")
 
 
+def stated_machine(text: str, folder: Path = Path()) -> Machine | None:
+    """Return the machine of a statement: a number with its unit, or the file of a reference run; None for no text.
+
+    Parameters
+    ----------
+    text : str
+    folder : Path
+        Where the name of a file begins.
+
+    Examples
+    --------
+    >>> stated_machine("0.02 mm/N").text, stated_machine("")
+    ('0.02 mm/N', None)
+    """
+    if not text:
+        return None
+    if (folder / text).is_file():
+        return read_machine(folder / text)
+    if not text[:1].isdigit() and text[:1] not in "+-.":
+        raise TurgorError(
+            f"compliance is '{text}'; write a number such as '0.02 mm/N', or the file of a pull on a stiff specimen; "
+            "no file has this name."
+        )
+    return Machine(compliance=text)
+
+
 def remove_compliance(test: MaterialTest, machine: Machine) -> MaterialTest:
     """Take away what the machine gave way from the stretch of a test; do so before slack is removed.
 

@@ -194,15 +194,25 @@ def _split(line: str, separator: str | None) -> list[str]:
 
 
 def _first_row(cells: list[list[str]]) -> int | None:
-    """Find the first row of numbers: at least two numbers and at most one word, the name of a specimen."""
-    for number, row in enumerate(cells):
-        looks = [bool(_NUMBER.fullmatch(cell) or _CLOCK.fullmatch(cell)) for cell in row]
-        rest = [cell for cell, numeric in zip(row, looks, strict=True) if not numeric]
-        words = sum(cell.lower() not in _MISSING for cell in rest)
-        # a row may name its specimen, and may lack a value
-        if sum(looks) >= 2 and words <= 1 and sum(looks) > words:
+    """Find the first row of numbers: at least two numbers, and the names of batch and specimen.
+
+    Lines above the table also have a number or two, such as dimensions: a row of several words counts only where most
+    rows have their words in the same columns.
+    """
+    kinds = [tuple(_kind(cell) for cell in row) for row in cells]
+    usual = Counter(kind for kind in kinds if kind.count("1") >= 2).most_common(1)
+    for number, kind in enumerate(kinds):
+        numbers, words = kind.count("1"), kind.count("w")
+        if numbers >= 2 and ((words <= 1 and numbers > words) or kind == usual[0][0]):
             return number
     return None
+
+
+def _kind(cell: str) -> str:
+    """Return 1 for a number or a time, w for a word, and a blank where a value is missing."""
+    if _NUMBER.fullmatch(cell) or _CLOCK.fullmatch(cell):
+        return "1"
+    return " " if cell.lower() in _MISSING else "w"
 
 
 def _header(above: Sequence[str], separator: str | None, width: int) -> tuple[tuple[str, ...], int]:

@@ -1,7 +1,6 @@
 """Check of a fitted law against the sets of the same rubber in the library (M20)."""
 
 import re
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -9,9 +8,8 @@ import numpy as np
 from turgor.core.materials.fitting.result import stress_text
 from turgor.core.materials.fitting.settings import FIT
 from turgor.core.materials.laws.homogeneous import nominal_stress, uniaxial
-from turgor.core.materials.laws.laws import Hooke
-from turgor.core.materials.library.record_files import library, records
-from turgor.foundation.errors import TurgorError
+from turgor.core.materials.library.record_files import library
+from turgor.core.materials.library.spread import sound_laws
 from turgor.foundation.finding import Finding, Severity
 
 
@@ -32,7 +30,7 @@ def rubber_of(name: str) -> str:
 
 
 def check_library(law: Any, rubber: str, stretch: float) -> tuple[Finding, ...]:
-    """Compare a law with all sets of a rubber in the library, at rest and at a stretch (M20).
+    """Compare a law with the sound sets of a rubber in the library, at rest and at a stretch (M20).
 
     Parameters
     ----------
@@ -55,7 +53,7 @@ def check_library(law: Any, rubber: str, stretch: float) -> tuple[Finding, ...]:
     >>> print(finding.severity, finding.message.split(" is ")[0])
     warning E = 24 kPa
     """
-    laws = _laws(rubber)
+    laws = [law for _, law in sound_laws(rubber)]
     if not laws:
         return ()
     at = min(FIT.trade_stretch, stretch)
@@ -81,19 +79,6 @@ def check_library(law: Any, rubber: str, stretch: float) -> tuple[Finding, ...]:
             else "It is within what laboratories measure.",
         ),
     )
-
-
-def _laws(rubber: str) -> Sequence[Any]:
-    """Laws of the rubbers of a material that have one."""
-    laws = []
-    for record in records(rubber):
-        try:
-            law = record.build_law()
-        except TurgorError:
-            continue  # no law can have its constants
-        if not isinstance(law, Hooke):
-            laws.append(law)
-    return laws
 
 
 def _pull(law: Any, stretch: float) -> float:

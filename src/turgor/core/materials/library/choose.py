@@ -7,6 +7,7 @@ import numpy as np
 
 from turgor.core.materials.laws.laws import Hooke, Law
 from turgor.core.materials.laws.pull import pull
+from turgor.core.materials.library.doubt_checks import USUAL_RANGE
 from turgor.core.materials.library.doubts import find_doubts
 from turgor.core.materials.library.record import Record
 from turgor.core.materials.library.record_files import library, records
@@ -64,7 +65,7 @@ def material_rows() -> tuple[MaterialRow, ...]:
     >>> [row.record for row in material_rows() if row.name == "mold-star-16"]
     ['yeoh-marechal-2020']
     """
-    return tuple(_row(name, recommended(name)) for name in library())
+    return tuple(_row(name, _sound(recommended(name))) for name in library())
 
 
 def choose(
@@ -81,7 +82,7 @@ def choose(
     hardness : str
         Shore hardness such as ``"10 A"`` or ``"00-30"``: rubbers of another scale, or far off, are left out.
     reach : float or None [-]
-        Largest stretch that the actuator sees: rubbers that break below are left out.
+        Largest stretch that the actuator sees, at least `stretch`: rubbers that break below are left out.
 
     Returns
     -------
@@ -93,7 +94,7 @@ def choose(
     Raises
     ------
     TurgorError
-        If neither modulus nor hardness is given, or a number is outside its range.
+        If neither modulus nor hardness is given, a number is outside its range, or no rubber is left.
 
     Examples
     --------
@@ -123,11 +124,14 @@ def choose(
             continue
         row = _row(name, record)
         points = _points_off(row, wanted)
-        if points is None or (reach is not None and row.ultimate is not None and row.ultimate < reach):
+        if points is None or (row.ultimate is not None and row.ultimate < end):
             continue
         value = float(pull(law, "uniaxial", np.array([stretch]))[0]) / (stretch - 1)
         off = points if modulus is None else abs(float(np.log(max(value, 1e-9) / modulus)))
         known.append((not _reaches(record, end), off, row, value))
+    if not known:
+        near = f" within {CHOICE.points:g} points of {hardness}" if hardness else ""
+        raise TurgorError(f"no rubber of the library{near} bears a stretch of {end:g}; 'turgor materials' lists all.")
     return tuple((row, value) for _, _, row, value in sorted(known, key=lambda each: each[:2]))
 
 
@@ -173,7 +177,29 @@ def _record_at(name: str, stretch: float) -> Record | None:
 
 
 def _reaches(record: Record, stretch: float) -> bool:
-    return record.stretch_range is None or record.stretch_range[1] >= stretch
+    return reaches(record.stretch_range, stretch)
+
+
+def reaches(stretch_range: tuple[float, float] | None, stretch: float) -> bool:
+    """Return whether the tests behind a set reach a stretch; unknown tests count as those of the usual range.
+
+    Parameters
+    ----------
+    stretch_range : (float, float) or None [-]
+    stretch : float [-]
+
+    Examples
+    --------
+    >>> reaches((1.0, 2.5), 3.0), reaches(None, 3.0), reaches(None, 12.0)
+    (False, True, False)
+    """
+    return (stretch_range or USUAL_RANGE["uniaxial"])[1] >= stretch
+
+
+def _sound(record: Record | None) -> Record | None:
+    """Return a record, or None where its constants are impossible for the material."""
+    impossible = record is not None and any(doubt.kind == "no rubber" for doubt in find_doubts(record))
+    return None if impossible else record
 
 
 def _points_off(row: MaterialRow, wanted: tuple[str, float] | None) -> float | None:
@@ -192,4 +218,7 @@ def _shore(text: str, what: str) -> tuple[str, float]:
     match = _SHORE.fullmatch(text.strip().removeprefix("Shore").strip())
     if match is None:
         raise TurgorError(f"{what} is '{text}'; write a Shore hardness with its scale, such as '10 A' or '00-30'.")
-    return ("00", float(match[2])) if match[1] else (match[4].upper(), float(match[3]))
+    scale, points = ("00", float(match[2])) if match[1] else (match[4].upper(), float(match[3]))
+    if points > 100:
+        raise TurgorError(f"{what} is '{text}'; a Shore hardness is from 0 to 100.")
+    return scale, points

@@ -228,7 +228,7 @@ def reinforcement_table() -> str:
 
 
 def _sorted(kind: str) -> list[MaterialRow]:
-    return sorted((row for row in material_rows() if row.kind == kind), key=lambda row: row.modulus or 0.0)
+    return sorted((row for row in material_rows() if row.kind == kind), key=lambda row: row.modulus or inf)
 
 
 def _rubber(row: MaterialRow, record: str, at_2: float | None) -> tuple[str, ...]:

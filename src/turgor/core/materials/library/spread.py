@@ -6,7 +6,7 @@ from math import exp, log
 
 import numpy as np
 
-from turgor.core.materials.laws.laws import Hooke
+from turgor.core.materials.laws.laws import Hooke, Law
 from turgor.core.materials.laws.pull import pull
 from turgor.core.materials.library.doubts import find_doubts
 from turgor.core.materials.library.record import Record
@@ -60,9 +60,10 @@ class LibrarySpread:
                 "has too few of its own"
             )
         low, high = (pick(value for _, value in self.stresses) for pick in (min, max))
+        factor, unit = (1e6, "MPa") if high >= 1e6 else (1e3, "kPa")
         return (
-            f"{self.name}: {self.deviation:.0%} between {len(self.stresses)} sources, {low / 1e3:.3g} to "
-            f"{high / 1e3:.3g} kPa at stretch {self.stretch:g}"
+            f"{self.name}: {self.deviation:.0%} between {len(self.stresses)} sources, {low / factor:.3g} to "
+            f"{high / factor:.3g} {unit} at stretch {self.stretch:g}"
         )
 
 
@@ -121,19 +122,47 @@ def typical_spread(stretch: float = OF_MAKER) -> tuple[float, int]:
 def _own_spread(name: str, stretch: float) -> LibrarySpread:
     """Spread of the sources of a rubber; 0 with one."""
     known = records(name)
+    sound = sound_laws(name)
+    reach = {_origin(record) for record, _ in sound if _reaches(record, stretch)}
     stresses: dict[str, float] = {}
-    for record in known:
-        law = None if _doubted(record) else record.build_law()
-        if law is not None and not isinstance(law, Hooke):
-            stress = float(pull(law, "uniaxial", np.array([stretch]))[0])
-            if all(abs(log(stress / other)) > 1e-9 for other in stresses.values()):  # the same set, quoted twice
-                stresses[record.name] = stress
+    for record, law in sound:
+        if not _reaches(record, stretch) and _origin(record) in reach:
+            continue  # the same tests have a set that goes further
+        stress = float(pull(law, "uniaxial", np.array([stretch]))[0])
+        if all(abs(log(stress / other)) > 1e-9 for other in stresses.values()):  # the same set, quoted twice
+            stresses[record.name] = stress
     maker = known[0].supplier.stress_at_stretch_2 if known[0].supplier else None
     if maker is not None and stretch == OF_MAKER and stresses:
         stresses["maker"] = maker
     logarithms = np.log([abs(value) for value in stresses.values()])
     deviation = float(logarithms.std(ddof=1)) if len(stresses) >= 2 else 0.0
     return LibrarySpread(name=name, stretch=stretch, stresses=tuple(stresses.items()), deviation=deviation)
+
+
+def _reaches(record: Record, stretch: float) -> bool:
+    return record.stretch_range is None or record.stretch_range[1] >= stretch
+
+
+def _origin(record: Record) -> str:
+    """Publication and tests of a set, without how it was fitted."""
+    return record.source.partition("; fitted by turgor")[0]
+
+
+def sound_laws(name: str) -> tuple[tuple[Record, Law], ...]:
+    """Return the sets of a rubber that are measurements of it, without a serious doubt, with their laws.
+
+    Parameters
+    ----------
+    name : str
+        Material of the library, or the path of a file of your own.
+
+    Examples
+    --------
+    >>> len(sound_laws("ecoflex-00-30")), len(sound_laws("silicone-o-ring"))
+    (9, 0)
+    """
+    laws = ((record, record.build_law()) for record in records(name) if not _doubted(record))
+    return tuple((record, law) for record, law in laws if not isinstance(law, Hooke))
 
 
 def _doubted(record: Record) -> bool:

@@ -83,6 +83,20 @@ def test_the_name_of_a_specimen_is_no_number(file):
     assert [test.nominal_stress[1] for test in tests] == pytest.approx([0.2e6, 0.3e6])
 
 
+def test_batch_and_specimen_may_both_be_words(file):
+    head = "Operator, Ann, Room, 3\nLength (mm), 33, Width (mm), 6\nbatch,specimen,stretch,nominal_stress_MPa\n"
+    rows = ["May,A1,1,0", "May,A1,1.5,0.1", "May,A2,1,0", "May,A2,1.5,0.2", "June,B1,1,0", "June,B1,1.5,0.3"]
+    path = file(head + "\n".join(rows) + "\n")
+    tests = read_tests(path)
+    assert [(test.name.split()[1:], test.batch) for test in tests] == [
+        (["May", "A1"], "May"),
+        (["May", "A2"], "May"),
+        (["June", "B1"], "June"),
+    ]
+    by = read_tests(path, columns={"batch": "specimen"})
+    assert [test.batch for test in by] == ["A1", "A2", "B1"]
+
+
 def test_rows_without_a_number_are_left_out_and_counted(file):
     text = "stretch,nominal_stress_MPa,temperature\n1,0,nan\n1.2,nan,20\n1.5,0.1,20\n,,\n1.8,,\n2,0.2,x\n"
     test = read_test(file(text))

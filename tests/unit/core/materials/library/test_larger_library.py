@@ -10,7 +10,7 @@ from refused import refused
 from turgor.core.materials.failure_tables import failure_tables, read_strength
 from turgor.core.materials.laws.laws import Hooke, NeoHooke
 from turgor.core.materials.laws.pull import pull
-from turgor.core.materials.library.choose import choose
+from turgor.core.materials.library.choose import choose, material_rows
 from turgor.core.materials.library.record_files import all_records, library, records
 from turgor.core.materials.library.records import find_record, from_library, recommended
 from turgor.core.materials.library.spread import LEAST, spread_of, typical_spread
@@ -117,6 +117,34 @@ def test_choice_by_hardness_and_by_what_the_actuator_sees() -> None:
             choose(*arguments[:2], hardness=arguments[2] if arguments[2:] else "")
     with refused("reach", "0.5", 1):
         choose(1e5, reach=0.5)
+
+
+def test_a_rubber_that_breaks_or_was_never_tested_there_is_not_chosen_first() -> None:
+    broken = [row for row, _ in choose(100e3, 12.0)]
+    assert all(row.ultimate is None or row.ultimate >= 12 for row in broken)
+    order = [row.name for row, _ in choose(250e3, reach=2.5)]
+    unknown = order.index("mold-star-15")
+    assert records("mold-star-15")[0].stretch_range is None
+    assert order.index("agilus30") > unknown, "tests of an unknown range count as usual ones"
+    far = [row.name for row, _ in choose(100e3, reach=12.0)]
+    assert far.index("smooth-sil-950") > far.index("soloplast-150318"), "but as no more than these"
+    for hardness in ("500 A", "00-101"):
+        with refused(hardness, "0 to 100"):
+            choose(hardness=hardness)
+    with refused("00-90", "10 points"):
+        choose(hardness="00-90")
+
+
+def test_impossible_constants_are_never_the_ones_to_take() -> None:
+    (row,) = (each for each in material_rows() if each.name == "silicone-o-ring")
+    assert (row.record, row.modulus) == ("", None)
+
+
+def test_two_sets_of_the_same_tests_are_one_source() -> None:
+    spread = spread_of("overture-hs-tpu")
+    assert [name for name, _ in spread.stresses] == ["yeoh-smith-2023-large"], "the other one ends at 1.5"
+    assert "MPa" in str(spread_of("smooth-sil-950"))
+    assert len(spread_of("agilus30").stresses) == 2, "of other tests it still says how far they lie apart"
 
 
 def test_spread_between_laboratories() -> None:
