@@ -212,9 +212,9 @@ def _rigged(points: object) -> bool:
 
 
 def _moves(obstacles: object) -> bool:
-    """Whether any obstacle has a path, which drives the actuator where no load does."""
+    """Whether any obstacle has a path or a rotation, which drives the actuator where no load does."""
     entries = obstacles.values() if isinstance(obstacles, Mapping) else ()
-    return any(isinstance(entry, Mapping) and "path" in entry for entry in entries)
+    return any(isinstance(entry, Mapping) and {"path", "rotation"} & set(entry) for entry in entries)
 
 
 def _build(actuator: Actuator | None, problems: Problems) -> Geometry | None:

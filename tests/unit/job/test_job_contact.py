@@ -94,6 +94,8 @@ radius = "7 mm"
 shape = "box"
 center = [0, 0, "-9 mm"]
 size = ["10 mm", "20 mm", "6 mm"]
+rotation = [[0, [0, 0, 0]], [0.4, [0, "90 deg", 0]], [1, [0, "-0.5 rad", "720 deg"]]]
+about = ["1 mm", 0, "-9 mm"]
 rounding = "1 mm"
 stiffness = "3e6 Pa/m"
 elastic_slip = "0.005 mm"
@@ -164,6 +166,11 @@ def test_every_key_reaches_the_job_and_comes_back_from_the_lock_file(tmp_path):
     assert rail.shape == Cylinder(center=(0, 0, 0), axis=(0.3, -0.5, 0.7), radius=7 * mm)
     assert box.shape == Box(center=(0, 0, -9 * mm), size=(10 * mm, 20 * mm, 6 * mm), rounding=1 * mm)
     assert (box.stiffness, box.elastic_slip) == (3e6, 5e-6)
+    assert [factor for factor, _ in box.rotation] == [0, 0.4, 1]
+    assert np.array([turn for _, turn in box.rotation]) == pytest.approx(
+        np.array([[0, 0, 0], [0, np.pi / 2, 0], [0, -0.5, 4 * np.pi]])
+    )
+    assert box.about == pytest.approx((0.001, 0, -0.009))
     assert again(tmp_path, job) == job
     stated = tomllib.loads(lock_text(job, {}))["obstacles"]
     assert stated["ball"]["path"][1] == [0.4, ["0 mm", "0 mm", "3.3 mm"]]
@@ -236,6 +243,13 @@ MISTAKES = [
     ("[obstacles.plate]", "[obstacles]", [":23: obstacles.shape:", "[obstacles.plate]"]),
     ("[obstacles.plate]", "[obstacles.self]", [":22: obstacles.self:", "'self'", "self-contact"]),
     ("[obstacles.plate]", "[obstacles.my-plate]", [":22: obstacles.my-plate:", "'my-plate'", "letters", "underscores"]),
+    ("friction = 0.2", "rotation = [[0, [0, 0, 0]], [1, [0, '90 mm', 0]]]",
+     [":26: obstacles.plate.rotation:", "90 mm"]),
+    ("friction = 0.2", "rotation = [[0, [0, 0]]]", [":26: obstacles.plate.rotation:", "about x, y and z"]),
+    ("friction = 0.2", "rotation = [[0.5, [0, 0, 0]], [1, [0, 0, 0]]]",
+     [":26: obstacles.plate.rotation:", "from 0 to 1"]),
+    ("friction = 0.2", "about = [0, 0, 0]", [":26: obstacles.plate.about:", "add a rotation"]),
+    ("friction = 0.2", "about = [0, 0]", [":26: obstacles.plate.about:", "three lengths"]),
     ('shape = "plane"', "", [":22: obstacles.plate.shape:", "'shape'", "plane, sphere"]),
     ('"plane"', '"plain"', [":23: obstacles.plate.shape:", "'plain'", "'plane'"]),
     ('"plane"', '"sphere"', [":25: obstacles.plate.normal:", "'normal'", "center, radius"]),
@@ -302,7 +316,8 @@ def test_contact_reaches_the_model_and_the_report(tmp_path):
         "bar: cylinder 30 mm long of radius 7 mm around (0, 0, -9) mm along (0, 1, 0); without friction; touches tip "
         "only; supported by a spring of 50 N/m.",
         "rail: endless cylinder of radius 7 mm around (0, 0, 0) mm along (0.3293, -0.5488, 0.7683); without friction.",
-        "block: box of 10 × 20 × 6 mm around (0, 0, -9) mm, its edges rounded by 1 mm; without friction.",
+        "block: box of 10 × 20 × 6 mm around (0, 0, -9) mm, its edges rounded by 1 mm; without friction; turned about "
+        "(1, 0, -9) mm by (0, 90, 0)° at load factor 0.4, (0, -28.65, 720)° at load factor 1.",
     ]
     off = tg.Model(model.mesh, model.materials, [], model.loads, contact=Contact(self_contact=False))
     assert describe.contact(off) == ["Walls of the actuator do not stop each other: self-contact is off."]

@@ -15,6 +15,7 @@ from turgor.core.engine.system import System
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
 from turgor.core.model.obstacles import Box, Obstacle, Plane, RigidSurface, Sphere
+from turgor.core.model.obstacles.pose import Pose
 from turgor.core.results.measures.contact_measures import force_on
 from turgor.reduced.parts.obstacles import ObstructingAt
 from turgor.reduced.path import solution_of
@@ -127,7 +128,7 @@ def test_forces_and_tangent_are_those_of_the_full_contact(shape: object) -> None
     _, (obstacle,) = contact_parts(system, close, fields.reshape(-1, 3), places)
     part, at = system.contact.parts[0], obstacle.at(q, inputs)
     position = system.points + fields @ q
-    full = part.forces(position, part.look(position, places["body"].at(inputs)))
+    full = part.forces(position, part.look(position, Pose(places["body"].at(inputs))))
     assert np.abs(full).max() > 0
     projected = np.einsum("nir,ni->r", fields, full[: len(fields)])
     assert at.forces() == pytest.approx(projected, rel=1e-6)

@@ -51,6 +51,35 @@ def normalized(vector: Vector) -> Vector | None:
     return x / length, y / length, z / length
 
 
+def rotation_of(vector: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the rotation (3, 3) about an axis by an angle, given as axis times angle [rad] (Rodrigues).
+
+    Examples
+    --------
+    >>> rotation_of(np.array([0.0, 0.0, np.pi / 2])).round(9).tolist()
+    [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
+    """
+    angle = float(np.linalg.norm(vector))
+    x, y, z = vector / angle if angle > 0 else vector
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    return np.asarray(np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)
+
+
+def rotation_vector(rotation: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Axis times angle of a rotation (3, 3) by less than half a turn.
+
+    Examples
+    --------
+    >>> c, s = np.cos(0.3), np.sin(0.3)
+    >>> rotation_vector(np.array([[1, 0, 0], [0, c, -s], [0, s, c]])).round(9).tolist()
+    [0.3, 0.0, 0.0]
+    """
+    axis = np.array([rotation[2, 1] - rotation[1, 2], rotation[0, 2] - rotation[2, 0], rotation[1, 0] - rotation[0, 1]])
+    sine = float(np.linalg.norm(axis)) / 2
+    angle = np.arctan2(sine, (np.trace(rotation) - 1) / 2)
+    return np.asarray(axis / 2 * (angle / sine if sine > 1e-12 else 1.0))
+
+
 def rotation_to(axes: FileAxes) -> NDArray[np.float64]:
     """Return the rotation from the axes of a file to ours.
 

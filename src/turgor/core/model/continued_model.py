@@ -100,7 +100,9 @@ def continued(
     supports = [each.continued(factor, moved.get(each.prescribed)) for each in model.supports]
     names = [obstacle.name for obstacle in model.contact.obstacles]
     moves = moves or {}
-    return _with_parts(model, tuple(out), supports, _moved(model, _paths(model, factor, moves, [*names, *moves])))
+    return _with_parts(
+        model, tuple(out), supports, _moved(model, _paths(model, factor, moves, [*names, *moves]), factor)
+    )
 
 
 def _with_parts(model: Model, loads: Sequence[Load], supports: Sequence[Support], contact: Contact) -> Model:
@@ -155,10 +157,13 @@ def _paths(model: Model, factor: float, moves: Mapping[str, Vector], names: Iter
     return paths
 
 
-def _moved(model: Model, paths: Mapping[str, Path]) -> Contact:
-    obstacles = tuple(
-        replace(each, path=paths[each.name]) if each.name in paths else each for each in model.contact.obstacles
-    )
+def _moved(model: Model, paths: Mapping[str, Path], factor: float | None = None) -> Contact:
+    """Contact with other paths; obstacles stay turned as they were at a load factor, where one is given."""
+    obstacles = []
+    for each in model.contact.obstacles:
+        path = paths.get(each.name, each.path)
+        stays = each.rotation if factor is None else each.turned_at(factor)
+        obstacles.append(replace(each, path=path, rotation=stays))
     return model.contact.with_obstacles(obstacles)
 
 

@@ -57,7 +57,7 @@ def kinks(model: Model) -> tuple[float, ...]:
     """
     turns = {factor for load in model.loads for factor in turns_of(load.history)}
     turns |= {factor for each in model.supports if each.way is not None for factor in turns_of(each.way)}
-    turns |= {factor for obstacle in model.contact.obstacles for factor, _ in obstacle.path if 0 < factor < 1}
+    turns |= {factor for obstacle in model.contact.obstacles for factor in obstacle.stops if 0 < factor < 1}
     return tuple(sorted(turns))
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from turgor.core.geometry.directions import AXES
+from turgor.core.geometry.directions import AXES, rotation_of
 from turgor.core.model.history import RAMP, History, checked, share_at, with_history
 from turgor.core.model.loads.load import Deck, DeckRows
 from turgor.core.model.supports.support import Support
@@ -226,11 +226,8 @@ class Rotation(Support):
         return share_at(self.history, load_factor) * self.angle
 
     def matrix(self, load_factor: float) -> np.ndarray[Any, np.dtype[np.float64]]:
-        """Rotation matrix (3, 3) at a load factor, of a point that does not tilt (Rodrigues)."""
-        x, y, z = np.asarray(self.axis) / np.linalg.norm(self.axis)
-        angle = self.angle_at(load_factor)
-        cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-        return np.asarray(np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)
+        """Rotation matrix (3, 3) at a load factor, of a point that does not tilt."""
+        return rotation_of(self.angle_at(load_factor) * np.asarray(self.axis) / np.linalg.norm(self.axis))
 
 
 @dataclass(frozen=True, slots=True)

@@ -138,7 +138,7 @@ def _object_of(model: Model, setup: Grasp) -> Obstacle:
         raise unknown("obstacle", setup.object, obstacles)
     target = obstacles[setup.object]
     subject = f"a grasp of the obstacle '{setup.object}'"
-    for key in ("path", "spring"):
+    for key in ("path", "rotation", "spring"):
         if getattr(target, key):
             raise TurgorError(f"{subject}: it is rigid and pulled by the grasp; leave its {key} out.")
     why = target.shape.not_graspable(setup.fingers)

@@ -61,7 +61,7 @@ def touches(system: System, at: Evaluation) -> dict[str, Touch]:
             pressure=nodal_pressure(part, gaps, count) * stress,
             area=contact_area(part, gaps) * length**2,
             penetration=max(0.0, -float(gaps.gap.min(initial=0.0))) * length,
-            place=gaps.place * length,
+            place=gaps.pose.place * length,
             share=system.contact.share_of_tolerance(part, gaps),
         )
         out[part.name] = one if part.name not in out else _both(out[part.name], one)

@@ -1,6 +1,6 @@
 """Obstacles in a job: one table ``[obstacles.NAME]`` for each rigid body, both ways."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import MISSING, fields, is_dataclass
 from dataclasses import Field as DataclassField
 from functools import cache, partial
@@ -51,23 +51,35 @@ def _direction(value: object) -> Vector:
     return x, y, z
 
 
-def _way(value: object) -> tuple[tuple[float, Vector], ...]:
+def _angles(value: object) -> Vector:
+    if not isinstance(value, list) or len(value) != 3:
+        raise TurgorError(f"{shown(value)} is not a rotation about x, y and z, such as [0, 0, '90 deg'].")
+    x, y, z = (coordinate(part, "angle") for part in value)
+    return x, y, z
+
+
+def _way(value: object, read: Callable[[object], Vector], example: str) -> tuple[tuple[float, Vector], ...]:
     points: list[Any] = value if isinstance(value, list) else [value]
     for point in points:
         if not isinstance(point, list) or len(point) != 2 or type(point[0]) not in (int, float):
             raise TurgorError(
                 f"{shown(point)} is no point of a path; write [load factor, [x, y, z]], such as "
-                "[[0, [0, 0, 0]], [1, [0, 0, '5 mm']]]."
+                f"[[0, [0, 0, 0]], [1, [0, 0, '{example}']]]."
             )
-    return tuple((float(factor), _lengths(place)) for factor, place in points)
+    return tuple((float(factor), read(place)) for factor, place in points)
 
 
 Lengths = Annotated[Any, BeforeValidator(_lengths), Says("three lengths", '[0, 0, "-2 mm"]', "length")]
 Direction = Annotated[Any, BeforeValidator(_direction), Says("direction or three numbers", '"+z"')]
 Way = Annotated[
     Any,
-    BeforeValidator(_way),
+    BeforeValidator(partial(_way, read=_lengths, example="5 mm")),
     Says("list of points [load factor, three lengths]", '[[0, [0, 0, 0]], [1, [0, 0, "5 mm"]]]', "length"),
+]
+Turns = Annotated[
+    Any,
+    BeforeValidator(partial(_way, read=_angles, example="90 deg")),
+    Says("list of points [load factor, three angles]", '[[0, [0, 0, 0]], [1, [0, 0, "90 deg"]]]', "angle"),
 ]
 SpringStiffness = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="spring stiffness"))]
 ContactStiffness = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="contact stiffness"))]
@@ -85,6 +97,8 @@ class ObstacleTable(Table):
     shape: str
     friction: float = 0.0
     path: Way = ()
+    rotation: Turns = ()
+    about: Lengths | None = None
     spring: SpringStiffness | None = None
     face: str | None = None
     stiffness: ContactStiffness | None = None
@@ -245,6 +259,10 @@ def _written(obstacle: Obstacle, file: RigidFile | None) -> dict[str, Any]:
     values["friction"] = obstacle.friction
     if obstacle.path:
         values["path"] = [[factor, _shown(place)] for factor, place in obstacle.path]
+    if obstacle.rotation:
+        values["rotation"] = [[factor, _shown(turn, "angle")] for factor, turn in obstacle.rotation]
+    if obstacle.about is not None:
+        values["about"] = _shown(obstacle.about)
     if obstacle.spring is not None:
         values["spring"] = format_quantity(obstacle.spring, "N/m")
     if obstacle.face is not None:

@@ -60,9 +60,9 @@ QUANTITIES: Mapping[str, Any] = {
 }
 
 
-def coordinate(value: object) -> float:
-    """Read a length; zero needs no unit."""
-    return 0.0 if value == 0 and not isinstance(value, bool) else parse_quantity(value, "length")
+def coordinate(value: object, dimension: str = "length") -> float:
+    """Read a length, or an angle; zero needs no unit."""
+    return 0.0 if value == 0 and not isinstance(value, bool) else parse_quantity(value, dimension)
 
 
 Coordinate = Annotated[float, BeforeValidator(coordinate)]

@@ -11,6 +11,7 @@ from turgor.core.engine.contact.part import Gaps
 from turgor.core.engine.contact.settings import PENALTY
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.system import System
+from turgor.core.model.obstacles.pose import Pose
 from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.reduced.parts.obstacles import Body, Obstructing, Shaped
 from turgor.reduced.parts.touching import Facing, Touching
@@ -61,7 +62,7 @@ def near_points(
         position[: len(displacement)] += displacement
         for part, seen in zip(system.contact.parts, every, strict=True):
             where = np.zeros(3) if part.obstacle is None else places[part.name].at(values)
-            seen.append(_near(part, part.look(position, where)))
+            seen.append(_near(part, part.look(position, Pose(where))))
     out = []
     for seen in every:
         rows, count = np.unique(np.concatenate([np.zeros((0, 3), dtype=np.int64), *seen]), axis=0, return_counts=True)

@@ -64,6 +64,8 @@ def _point(obstacle: Obstacle) -> tuple[float, float, float]:
 
 def _way(obstacle: Obstacle) -> Array:
     """How far the path of an obstacle moves it [m]; it must be straight and even, as the loads rise."""
+    if obstacle.rotation:
+        raise TurgorError(f"obstacle '{obstacle.name}' has a rotation; in reduced models obstacles do not turn.")
     way = obstacle.displacement(1.0)
     for factor, place in obstacle.path:
         if np.abs(np.array(place) - factor * way).max() > 1e-9 * max(np.abs(way).max(), 1e-300):

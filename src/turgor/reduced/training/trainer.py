@@ -18,6 +18,7 @@ from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import System
 from turgor.core.model.history import with_history
 from turgor.core.model.model import Model
+from turgor.core.model.obstacles.pose import Pose
 from turgor.core.results.fields.contact import contact_force
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.solvers.problem import Problem
@@ -183,7 +184,8 @@ def _by_place(part: PairPart | ShapePart, position: Array, gaps: Gaps, way: Arra
     step, size = 1e-6, float(np.linalg.norm(way))
     if not size:
         return np.zeros_like(position)
-    ends = [part.forces(position, part.look(position, gaps.place + sign * step / size * way)) for sign in (1, -1)]
+    places = (Pose(gaps.pose.place + sign * step / size * way) for sign in (1, -1))
+    ends = [part.forces(position, part.look(position, place)) for place in places]
     return (ends[0] - ends[1])[: len(position)] / (2 * step / size)
 
 

@@ -15,7 +15,7 @@ from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, Sphere
 from turgor.core.model.supports import Fixed
 from turgor.core.results.drive import pressures_in
-from turgor.core.results.fields.contact import contact_results, drawn_obstacles, extents_of, place_of
+from turgor.core.results.fields.contact import contact_results, drawn_obstacles, extents_of, outline_of, pose_of
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.files.vtu import write_series, write_state
 from turgor.core.results.measures.measures import measure
@@ -166,11 +166,23 @@ def test_pressure_at_the_nodes_is_that_of_all_contacts(path):
 
 def test_obstacles_are_where_the_state_has_them(path):
     at = StateFields(path.states[1])
-    np.testing.assert_allclose(place_of(at, BALL), [0, 0, -2.5 * mm])
+    np.testing.assert_allclose(pose_of(at, BALL).place, [0, 0, -2.5 * mm])
     sprung = replace(path.states[1], touches={"ball": touch(path.model, place=(1 * mm, 0, 0))})
-    np.testing.assert_allclose(place_of(StateFields(sprung), BALL), [1 * mm, 0, 0])
+    np.testing.assert_allclose(pose_of(StateFields(sprung), BALL).place, [1 * mm, 0, 0])
     untouched = cases.state(path.model, None, 0.2)
-    np.testing.assert_allclose(place_of(StateFields(untouched), BALL), [0, 0, -1 * mm])
+    np.testing.assert_allclose(pose_of(StateFields(untouched), BALL).place, [0, 0, -1 * mm])
+
+
+def test_a_turned_plane_is_drawn_as_far_as_the_actuator():
+    wall = Obstacle(name="wall", shape=Plane(point=(0, 0, 0), normal=(0, 0, 1)), about=(0, 0, 0),
+                    rotation=[(0, (0, 0, 0)), (1, (0, np.pi / 2, 0))])  # fmt: skip
+    extent = np.array([[1.0, 2, 3], [2, 3, 9]])
+    points, triangles = outline_of(wall, wall.pose(1.0), extent)
+    assert points[:, 0] == pytest.approx(0)
+    assert (points[:, 1:].min(axis=0) < [2, 3]).all()
+    assert (points[:, 1:].max(axis=0) > [3, 9]).all()
+    a, b, c = points[triangles[0]]
+    assert np.cross(b - a, c - a)[0] > 0  # the normal has turned from z to x
 
 
 def test_room_of_the_actuator_and_of_the_face_that_may_touch():

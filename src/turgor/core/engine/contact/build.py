@@ -16,6 +16,7 @@ from turgor.core.model.contact import SELF
 from turgor.core.model.drive import pressed_together
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Obstacle, Plane
+from turgor.core.model.obstacles.pose import Pose
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.round_off import ROUND_OFF
 
@@ -218,7 +219,7 @@ def _partners(
         reach=_reach(weights),
     )
     while True:
-        contact = PairPart(SELF, surface, partners, 0.0, 0.5).look(points, np.zeros(3))
+        contact = PairPart(SELF, surface, partners, 0.0, 0.5).look(points, Pose(np.zeros(3)))
         inside = np.argwhere(contact.gap < -ROUND_OFF.mesh_digits * height[:, None])
         if not len(inside):
             return partners

@@ -14,6 +14,7 @@ from turgor.core.engine.contact.search import Grid, find_partners, follow_partne
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.surface import Surface
 from turgor.core.model.obstacles import Obstacle
+from turgor.core.model.obstacles.pose import Pose
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -107,18 +108,16 @@ class PairPart(PointsPart):
         """Ties that are possible."""
         return len(self.surface.sides) * len(self.partners.sides)
 
-    def _all(self, position: Array, place: Array) -> Array:
-        return position if self.rigid is None else np.vstack([position, self.rigid.points + place])
+    def _all(self, position: Array, pose: Pose) -> Array:
+        return position if self.rigid is None else np.vstack([position, pose.moved(self.rigid.points)])
 
-    def look(
-        self, position: Array, place: Array, known: Gaps | None = None, how: SearchMode = SearchMode.FOLLOW
-    ) -> Gaps:
+    def look(self, position: Array, pose: Pose, known: Gaps | None = None, how: SearchMode = SearchMode.FOLLOW) -> Gaps:
         """Find the partner of every point, by a global search where none is known."""
         s, p = self.surface, self.partners
         x, normal, growth = points_of(position, s.sides, s.N, s.dN)
-        every = self._all(position, place)
+        every = self._all(position, pose)
         if known is None:
-            return Gaps(x, normal, growth, *self._search(x, normal, position, every), place)
+            return Gaps(x, normal, growth, *self._search(x, normal, position, every), pose)
         walk = 0 if how is SearchMode.KEEP else CONTACT_SEARCH.walk
         partner, at, gap = follow_partners(
             (x, normal), every, p.sides, known.partner, known.at, p.around, p.overhang, walk
@@ -129,7 +128,7 @@ class PairPart(PointsPart):
             change = ~np.isfinite(gap) | ~np.isfinite(gaps) | nearer
             partner, gap = np.where(change, others, partner), np.where(change, gaps, gap)
             at = np.where(change[:, :, None], places, at)
-        return Gaps(x, normal, growth, partner, at, gap, place)
+        return Gaps(x, normal, growth, partner, at, gap, pose)
 
     def _search(self, x: Array, normal: Array, position: Array, every: Array) -> tuple[Ints, Array, Array]:
         """Search the whole surface: partner, place and gap of every point."""
@@ -153,7 +152,7 @@ class PairPart(PointsPart):
         return np.hstack([self.surface.sides[points[:, 0]], self.partners.sides[partner]])
 
     def _press(self, position: Array, gaps: Gaps) -> Array:
-        every = self._all(position, gaps.place)
+        every = self._all(position, gaps.pose)
         points = np.ascontiguousarray(gaps.touching)
         if not len(points):
             return np.zeros_like(every)
@@ -173,20 +172,20 @@ class PairPart(PointsPart):
         spring = self._springs(points, partner) * self._weights(points)
         sides = (self.surface.sides, self.partners.sides)
         at = np.ascontiguousarray(gaps.at[points[:, 0], points[:, 1]])
-        every = self._all(position, gaps.place)
+        every = self._all(position, gaps.pose)
         local = pairs.press_tangents(every, sides, self.surface.N, points, partner, at, spring, start)
         return Ties(self.tied_unknowns(keys), local)
 
     def _apart(self, position: Array, gaps: Gaps, a: FrictionHistory) -> Array:
-        places = self._all(position, gaps.place)[self._nodes(a.points, a.partner, len(position))]
-        return np.einsum("ka,kai->ki", self._shares(a.points, a.at), places)
+        places = self._all(position, gaps.pose)[self._nodes(a.points, a.partner, len(position))]
+        return gaps.pose.turned_back(np.einsum("ka,kai->ki", self._shares(a.points, a.at), places))
 
     def _shares(self, points: Ints, at: Array) -> Array:
         there = pairs.shares_at(self.partners.sides.shape[1], np.ascontiguousarray(at))
         return np.hstack([self.surface.N[points[:, 1]], -there])
 
     def _normals(self, position: Array, gaps: Gaps, points: Ints) -> Array:
-        every, at = self._all(position, gaps.place), gaps.at[points[:, 0], points[:, 1]]
+        every, at = self._all(position, gaps.pose), gaps.at[points[:, 0], points[:, 1]]
         return pairs.normals_at(every, self.partners.sides, self._partners(gaps, points), at)
 
     def keys(self, gaps: Gaps) -> Ints:
@@ -221,7 +220,7 @@ class PairPart(PointsPart):
 
     def passed(self, position: Array, old: Gaps, new: Gaps) -> Array:
         """Signed gap (s, q) of points to the sides that were before them, where they have passed through unseen."""
-        every = self._all(position, new.place)
+        every = self._all(position, new.pose)
         p = self.partners
         open_before = np.where((old.gap >= 0) & (new.gap >= 0) & (new.partner != old.partner), old.partner, -1)
         _, at, gap = follow_partners((new.x, new.normal), every, p.sides, open_before, old.at, p.around, p.overhang, 0)

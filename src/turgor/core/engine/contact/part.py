@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.core.engine.contact.friction import FrictionHistory
+from turgor.core.model.obstacles.pose import Pose
 from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
@@ -38,8 +39,8 @@ class Gaps:
         Place of the nearest point on it.
     gap : (s, q) array
         Distance, negative inside, inf where nothing is near.
-    place : (3,) array
-        How far the obstacle has moved.
+    pose : Pose
+        Where the obstacle is, scaled.
     friction : FrictionHistory or None
         With which the points slip; None where there is no friction.
     """
@@ -50,7 +51,7 @@ class Gaps:
     partner: Ints
     at: Array
     gap: Array
-    place: Array
+    pose: Pose
     friction: FrictionHistory | None = None
 
     @property

@@ -99,7 +99,7 @@ class PointsPart(ABC):
 
     @abstractmethod
     def _apart(self, position: Array, gaps: Gaps, a: FrictionHistory) -> Array:
-        """Points minus the places on their partners (k, 3)."""
+        """Points minus the places on their partners (k, 3), as these were before they turned."""
 
     @abstractmethod
     def _key(self, side: Ints, partner: Ints) -> Ints:
@@ -117,7 +117,7 @@ class PointsPart(ABC):
         if a is None:
             return out
         traction, _ = friction.tractions(a, self._apart(position, gaps, a))
-        pull = self._weights(a.points)[:, None] * traction
+        pull = self._weights(a.points)[:, None] * gaps.pose.turned(traction)
         local = self._shares(a.points, a.at)[:, :, None] * pull[:, None, :]
         return out + nodal(self._nodes(a.points, a.partner, len(position)), local, len(out))
 
@@ -128,7 +128,8 @@ class PointsPart(ABC):
         if a is not None:
             _, matrices = friction.tractions(a, self._apart(position, gaps, a))
             matrices *= self._weights(a.points)[:, None, None]
-            out.append(self._tied(a.points, a.partner, self._shares(a.points, a.at), matrices))
+            turned = gaps.pose.turned_tensors(matrices)
+            out.append(self._tied(a.points, a.partner, self._shares(a.points, a.at), turned))
         return out
 
     def _tied(self, points: Ints, partner: Ints, shares: Array, matrices: Array) -> Ties:
@@ -141,7 +142,8 @@ class PointsPart(ABC):
         a = self.bound(gaps)
         if a is None or a.constant_limits:
             return None
-        pull = friction.by_limit(a, self._apart(position, gaps, a)) * self._weights(a.points)[:, None]
+        pull = gaps.pose.turned(friction.by_limit(a, self._apart(position, gaps, a)))
+        pull = pull * self._weights(a.points)[:, None]
         chosen = gaps.inside[a.points[:, 0], a.points[:, 1]] & pull.any(axis=1)
         if not chosen.any():
             return None
@@ -214,7 +216,7 @@ class PointsPart(ABC):
         """Friction history of the points that touch or soon may, with the tractions that they have."""
         points = np.argwhere(gaps.gap < CONTACT_SEARCH.near * self.surface.height[:, None])
         i, q = points.T
-        normal = self._normals(position, gaps, points)
+        normal = gaps.pose.turned_back(self._normals(position, gaps, points))
         traction, a = np.zeros((len(points), 3)), self.bound(gaps)
         if a is not None:
             before = np.zeros((*gaps.gap.shape, 3))

@@ -9,6 +9,7 @@ from turgor.core.engine.contact.part import Gaps, SearchMode, Ties, dofs, nodal
 from turgor.core.engine.contact.points_part import PointsPart
 from turgor.core.engine.contact.surface import Surface
 from turgor.core.model.obstacles import Obstacle, RigidShape
+from turgor.core.model.obstacles.pose import Pose
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -43,16 +44,14 @@ class ShapePart(PointsPart):
         """Ties that are possible."""
         return len(self.surface.sides)
 
-    def look(
-        self, position: Array, place: Array, known: Gaps | None = None, how: SearchMode = SearchMode.FOLLOW
-    ) -> Gaps:
+    def look(self, position: Array, pose: Pose, known: Gaps | None = None, how: SearchMode = SearchMode.FOLLOW) -> Gaps:
         """Measure the gap of every point."""
         s = self.surface
         x, normal, growth = points_of(position, s.sides, s.N, s.dN)
-        gap, _, _ = self.shape.signed_distance((x - place).reshape(-1, 3))
+        gap, _, _ = self.shape.signed_distance(pose.at_first(x).reshape(-1, 3))
         zero = np.zeros(x.shape[:2], dtype=np.int64)
         at = np.zeros((*x.shape[:2], 2))
-        return Gaps(x, normal, growth, zero, at, gap.reshape(x.shape[:2]), place)
+        return Gaps(x, normal, growth, zero, at, gap.reshape(x.shape[:2]), pose)
 
     def _springs(self, points: Ints, partner: Ints) -> Array:
         side = points[:, 0]
@@ -76,16 +75,17 @@ class ShapePart(PointsPart):
     def _press_tangents(self, position: Array, gaps: Gaps) -> Ties:
         points = gaps.touching
         i, q = points.T
-        gap, gradient, hessian = self.shape.signed_distance(gaps.x[i, q] - gaps.place)
+        gap, gradient, hessian = self.shape.signed_distance(gaps.pose.at_first(gaps.x[i, q]))
         matrices = gradient[:, :, None] * gradient[:, None, :] + gap[:, None, None] * hessian
+        matrices = gaps.pose.turned_tensors(matrices)
         matrices *= (self._springs(points, gaps.partner[i, q]) * self._weights(points))[:, None, None]
         return self._tied(points, gaps.partner[i, q], self._shares(points, gaps.at[i, q]), matrices)
 
     def _apart(self, position: Array, gaps: Gaps, a: FrictionHistory) -> Array:
-        return np.asarray(gaps.x[a.points[:, 0], a.points[:, 1]] - gaps.place)
+        return gaps.pose.at_first(gaps.x[a.points[:, 0], a.points[:, 1]])
 
     def _normals(self, position: Array, gaps: Gaps, points: Ints) -> Array:
-        return self.shape.signed_distance(gaps.x[points[:, 0], points[:, 1]] - gaps.place)[1]
+        return gaps.pose.turned(self.shape.signed_distance(gaps.pose.at_first(gaps.x[points[:, 0], points[:, 1]]))[1])
 
     def _key(self, side: Ints, partner: Ints) -> Ints:
         return side

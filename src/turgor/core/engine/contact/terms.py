@@ -15,6 +15,7 @@ from turgor.core.engine.contact.settings import PENALTY
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.contact.surface import Surface
 from turgor.core.model.model import Model
+from turgor.core.model.obstacles.pose import Pose
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -136,19 +137,19 @@ class ContactTerms:
         known = known or self._known
         gaps = []
         for k, part in enumerate(self.parts):
-            place = self._place(part, springs, factor)
-            gaps.append(part.look(position, place, None if known is None else known.gaps[k], how))
+            pose = self._pose(part, springs, factor)
+            gaps.append(part.look(position, pose, None if known is None else known.gaps[k], how))
         out = Contacts(position, tuple(gaps))
         if known is None or how is SearchMode.GLOBAL:
             self._known = out
         return out
 
-    def _place(self, part: Part, springs: Array, load_factor: float) -> Array:
+    def _pose(self, part: Part, springs: Array, load_factor: float) -> Pose:
         obstacle = part.obstacle
         if obstacle is None:
-            return np.zeros(3)
-        place = obstacle.displacement(load_factor) / self._length
-        return place + springs[self.bodies.names.index(part.name)] if part.unknown >= 0 else place
+            return Pose(np.zeros(3))
+        beyond = springs[self.bodies.names.index(part.name)] if part.unknown >= 0 else 0.0
+        return obstacle.pose(load_factor).scaled(self._length, beyond)
 
     def forces(self, at: Contacts, springs: Array) -> tuple[Array, Array]:
         """Internal forces on the nodes (n, 3), and the imbalance of the sprung bodies (b, 3)."""

@@ -10,20 +10,21 @@ from turgor.core.engine.contact.couplings import Layout
 from turgor.core.engine.contact.pair_part import PairPart, Partners
 from turgor.core.engine.contact.surface import Surface, overhangs, strangers
 from turgor.core.meshing.cells import side_type
+from turgor.core.model.obstacles.pose import Pose
 
 
 def compile_search(nodes: int) -> None:
     """Compile the kernels that search for contact, which a model needs from its first step on."""
     points, part = _pressed(nodes)
-    gaps = part.look(points, np.zeros(3))
-    gaps = part.look(points, np.zeros(3), gaps)
+    gaps = part.look(points, Pose(np.zeros(3)))
+    gaps = part.look(points, Pose(np.zeros(3)), gaps)
     part.passed(points, gaps, gaps)
 
 
 def compile_press(nodes: int) -> None:
     """Compile the kernels of contact forces, which a model needs once walls meet, after those that search."""
     points, part = _pressed(nodes)
-    gaps = part.look(points, np.zeros(3))
+    gaps = part.look(points, Pose(np.zeros(3)))
     gaps = replace(gaps, friction=part.anchored(points, gaps))
     part.forces(points, gaps)
     size = 3 * len(points)

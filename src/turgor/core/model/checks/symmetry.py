@@ -10,7 +10,7 @@ from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import DISCRETE, Fibers
 from turgor.core.model.loads.images import WHOLE
 from turgor.core.model.obstacles import Obstacle
-from turgor.core.model.obstacles.rigid_shape import SAME
+from turgor.core.model.obstacles.rigid_shape import SAME, across
 from turgor.foundation.errors import TurgorError
 
 
@@ -79,5 +79,9 @@ def same_when_turned(obstacle: Obstacle, wedge: Wedge) -> bool:
     """Whether an obstacle and its motion are the same after any turn about the axis of a wedge."""
     axis = "xyz".index(wedge.axis)
     if any(abs(vector[i]) > SAME for _, vector in obstacle.path for i in wedge.across):
+        return False
+    about = across(obstacle.about or obstacle.shape.middle, axis) - across(wedge.center, axis)
+    turns = any(abs(vector[i]) > SAME for _, vector in obstacle.rotation for i in wedge.across)
+    if turns or (obstacle.rotation and np.abs(about).max() > SAME):
         return False
     return obstacle.shape.turned(axis, wedge.center)

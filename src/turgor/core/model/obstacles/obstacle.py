@@ -8,11 +8,13 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.model.obstacles.rigid_shape import RigidShape, Vector, in_mm, positive
+from turgor.core.geometry.directions import rotation_of
+from turgor.core.model.obstacles.pose import Pose
+from turgor.core.model.obstacles.rigid_shape import RigidShape, Vector, in_mm, listed, positive
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import name as name_of
 from turgor.foundation.given import one, vector
-from turgor.units import plain_number
+from turgor.units import deg, plain_number
 
 #: Points (load factor, displacement of the obstacle [m]).
 Path = tuple[tuple[float, Vector], ...]
@@ -20,7 +22,7 @@ Path = tuple[tuple[float, Vector], ...]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Obstacle:
-    """A rigid body that the actuator may touch: fixed, moved along a path, or on a spring.
+    """A rigid body that the actuator may touch: fixed, moved along a path, turned, or on a spring.
 
     Parameters
     ----------
@@ -32,6 +34,11 @@ class Obstacle:
         Coulomb's coefficient, from 0 (frictionless) to 2.
     path : sequence of (float, (3,) floats [m]), optional
         Points (load factor, displacement), straight lines between them; from load factor 0 to 1. Left out, it stays.
+    rotation : sequence of (float, (3,) floats [rad]), optional
+        Points (load factor, axis times angle), straight lines between them; from load factor 0 to 1. The angle may be
+        several turns. Left out, it does not turn.
+    about : (3,) floats [m], optional
+        Point about which it turns, where it is before ``path`` moves it; by default the middle of the shape.
     spring : float [N/m], optional
         Stiffness in all three directions of the spring that holds it at its place, or at its path's; it does not
         turn. Of the whole obstacle, also where a half of the actuator is modeled. Left out, it cannot give way.
@@ -57,6 +64,8 @@ class Obstacle:
     shape: RigidShape
     friction: float = 0.0
     path: Path = ()
+    rotation: Path = ()
+    about: Vector | None = None
     spring: float | None = None
     face: str | None = None
     stiffness: float | None = None
@@ -77,7 +86,14 @@ class Obstacle:
                 positive(f"obstacle '{self.name}': {key}", getattr(self, key), "")
         if self.elastic_slip is not None:
             positive(f"obstacle '{self.name}': elastic_slip", self.elastic_slip)
-        object.__setattr__(self, "path", _path(self.name, self.path))
+        object.__setattr__(self, "path", _path(self.name, "path", self.path))
+        object.__setattr__(self, "rotation", _path(self.name, "rotation", self.rotation))
+        if self.about is not None:
+            object.__setattr__(self, "about", vector(self.about, f"obstacle '{self.name}': about", "length"))
+            if not self.rotation:
+                raise TurgorError(
+                    f"obstacle '{self.name}': about is {in_mm(self.about)}, and it does not turn; add a rotation."
+                )
 
     @property
     def tip(self) -> str:
@@ -105,6 +121,12 @@ class Obstacle:
         if self.path:
             way = self.path if any(self.path[0][1]) else self.path[1:]
             parts.append("moved by " + ", ".join(f"{in_mm(to)} at load factor {factor:g}" for factor, to in way))
+        if self.rotation:
+            way = self.rotation if any(self.rotation[0][1]) else self.rotation[1:]
+            turned = ", ".join(
+                f"({listed(part / deg for part in to)})° at load factor {factor:g}" for factor, to in way
+            )
+            parts.append(f"turned about {in_mm(self.about or self.shape.middle)} by {turned}")
         if self.spring is not None:
             parts.append(f"supported by a spring of {self.spring:g} N/m")
         if self.tip and self.push is not None:
@@ -113,11 +135,39 @@ class Obstacle:
 
     def displacement(self, load_factor: float) -> NDArray[np.float64]:
         """Return how far its path has moved it at a load factor, (3,) [m]."""
-        if not self.path:
-            return np.zeros(3)
-        factors = [factor for factor, _ in self.path]
-        moved = np.array([place for _, place in self.path])
-        return np.array([np.interp(load_factor, factors, moved[:, i]) for i in range(3)])
+        return _along(self.path, load_factor)
+
+    def pose(self, load_factor: float) -> Pose:
+        """Return where its path and its rotation have brought it at a load factor [m].
+
+        Examples
+        --------
+        >>> from math import pi
+        >>> from turgor.core.model.obstacles import Sphere
+        >>> wheel = Obstacle(name="wheel", shape=Sphere(center=(0, 0, 2), radius=1),
+        ...                  rotation=[(0, (0, 0, 0)), (1, (0, pi, 0))])
+        >>> wheel.pose(0.5).moved(np.array([1.0, 0, 2])).round(9).tolist()
+        [0.0, 0.0, 1.0]
+        """
+        place = self.displacement(load_factor)
+        if not self.rotation:
+            return Pose(place)
+        return Pose(place, rotation_of(_along(self.rotation, load_factor)), np.array(self.about or self.shape.middle))
+
+    def turned_at(self, load_factor: float) -> Path:
+        """Return a rotation that stays what it is at a load factor."""
+        x, y, z = (float(each) for each in _along(self.rotation, load_factor))
+        return ((0.0, (x, y, z)), (1.0, (x, y, z))) if self.rotation else ()
+
+    def moves(self, before: float, after: float) -> bool:
+        """Whether its path or its rotation brings it elsewhere between two load factors."""
+        ways = (self.path, self.rotation)
+        return any(bool((_along(way, before) != _along(way, after)).any()) for way in ways)
+
+    @property
+    def stops(self) -> tuple[float, ...]:
+        """Load factors of the points of its path and its rotation, rising."""
+        return tuple(sorted({factor for way in (self.path, self.rotation) for factor, _ in way}))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -199,14 +249,23 @@ def check_friction(what: str, friction: float) -> None:
         raise TurgorError(f"{what}: friction is {friction:g}; Coulomb's coefficient lies between 0 and 2.")
 
 
-def _path(name: str, path: Iterable[Any]) -> Path:
-    subject = f"obstacle '{name}': path is {path!r}"
+def _along(way: Path, load_factor: float) -> NDArray[np.float64]:
+    """Displacement or rotation (3,) at a load factor; zeros without points."""
+    if not way:
+        return np.zeros(3)
+    factors, values = [factor for factor, _ in way], np.array([value for _, value in way])
+    return np.array([np.interp(load_factor, factors, values[:, i]) for i in range(3)])
+
+
+def _path(name: str, key: str, path: Iterable[Any]) -> Path:
+    subject = f"obstacle '{name}': {key} is {path!r}"
+    what, dimension = ("displacement", "length") if key == "path" else ("axis times angle", "angle")
     try:
-        where = f"obstacle '{name}': path"
-        points = tuple((plain_number(factor), vector(place, where, "length")) for factor, place in path)
+        where = f"obstacle '{name}': {key}"
+        points = tuple((plain_number(factor), vector(value, where, dimension)) for factor, value in path)
     except (TypeError, ValueError):
         raise TurgorError(
-            f"{subject}; points (load factor, displacement) are needed, such as [(0, (0, 0, 0)), (1, (0, 0, 0.01))]."
+            f"{subject}; points (load factor, {what}) are needed, such as [(0, (0, 0, 0)), (1, (0, 0, 0.01))]."
         ) from None
     if points and (points[0][0] != 0 or points[-1][0] != 1 or not all(a < b for (a, _), (b, _) in pairwise(points))):
         raise TurgorError(f"{subject}; the load factors must rise from 0 to 1.")

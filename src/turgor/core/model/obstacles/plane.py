@@ -58,6 +58,11 @@ class Plane(RigidShape):
         """The normal."""
         return self.normal
 
+    @property
+    def middle(self) -> Vector:
+        """Its point, for it has no middle."""
+        return self.point
+
     def not_graspable(self, fingers: int) -> str:
         """A plane has no far side."""
         return "it is a plane, which has no far side; take a cylinder, sphere, box or STL file."

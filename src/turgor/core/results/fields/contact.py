@@ -1,7 +1,7 @@
 """Contact in a state: forces of the whole actuator, areas, pressures, penetration."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from turgor.core.model.contact import SELF
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Obstacle
+from turgor.core.model.obstacles.pose import Pose
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.solvers.solution import State
 from turgor.foundation.display import brief
@@ -90,10 +91,39 @@ def contact_force(at: StateFields, name: str) -> Array:
     return at.facts.of_whole(-at.mesh.symmetry_factor * touch.force.sum(axis=0))
 
 
-def place_of(at: StateFields, obstacle: Obstacle) -> Array:
-    """How far an obstacle has moved in a state, (3,) [m]."""
-    touch = at.state.touches.get(obstacle.name)
-    return obstacle.displacement(at.state.load_factor) if touch is None else touch.place
+def pose_of(at: StateFields, obstacle: Obstacle) -> Pose:
+    """Where an obstacle is in a state [m]."""
+    touch, pose = at.state.touches.get(obstacle.name), obstacle.pose(at.state.load_factor)
+    return pose if touch is None else replace(pose, place=touch.place)
+
+
+def contact_moment(at: StateFields, name: str) -> Array:
+    """Moment of the whole actuator on an obstacle about the point about which it turns, (3,) [N m].
+
+    By default that is the middle of its shape. It moves with the obstacle.
+    """
+    touch = at.state.touches.get(name)
+    if touch is None:
+        return np.zeros(3)
+    (obstacle,) = (each for each in at.model.contact.obstacles if each.name == name)
+    about = np.array(obstacle.about or obstacle.shape.middle) + touch.place
+    moment = -at.mesh.symmetry_factor * np.cross(at.points - about, touch.force).sum(axis=0)
+    for plane in at.facts.mirrors:  # an image turns the other way about axes in the mirror
+        moment[[axis for axis in range(3) if axis != plane.axis]] = 0.0
+    return moment if at.mesh.wedge is None else at.mesh.wedge.mean(moment)
+
+
+def outline_of(obstacle: Obstacle, pose: Pose, extent: Array) -> tuple[Array, NDArray[np.int64]]:
+    """Triangles of an obstacle in a pose: points (p, 3) [m] and triangles (t, 3).
+
+    Planes and endless cylinders end a little beyond the extent (2, 3) of the actuator.
+    """
+    if pose.turn is None:
+        return obstacle.shape.outline(pose.place, extent)
+    corners = np.array([[extent[i, 0], extent[j, 1], extent[k, 2]] for i, j, k in np.ndindex(2, 2, 2)])
+    seen = pose.at_first(corners)
+    points, triangles = obstacle.shape.outline(np.zeros(3), np.stack([seen.min(axis=0), seen.max(axis=0)]))
+    return pose.moved(points), triangles
 
 
 def drawn_obstacles(model: Model) -> tuple[Obstacle, ...]:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from turgor.core.model.contact import SELF
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Obstacle
+from turgor.core.results.fields.contact import contact_force, contact_moment
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.measure import Measure
 from turgor.core.setups.grasped_object import Grasped
@@ -30,6 +31,21 @@ def force_on(obstacle: str) -> Measure:
     return Measure(
         name=f"{obstacle}_force", unit="N", function=lambda at: float(np.linalg.norm(_force_on(at, obstacle))),
         definition=f"magnitude of the force of the actuator on the obstacle {obstacle}, whole actuator",
+    )  # fmt: skip
+
+
+def moment_on(obstacle: str) -> Measure:
+    """Make the measure of the moment on one obstacle, by its name.
+
+    Examples
+    --------
+    >>> moment_on("knob").name
+    'knob_moment'
+    """
+    return Measure(
+        name=f"{obstacle}_moment", unit="Nm", function=lambda at: float(np.linalg.norm(_moment_on(at, obstacle))),
+        definition=f"magnitude of the moment of the actuator on the obstacle {obstacle} about the point about which it "
+        "turns, by default its middle, whole actuator",
     )  # fmt: skip
 
 
@@ -66,6 +82,7 @@ def contact_measures_of(solution: Solution) -> tuple[Measure, ...]:
     names |= dict.fromkeys(name for each in obstacles for name in each.measures or ())
     chosen = [_NAMED[name] for name in names]
     chosen += [force_on(each.name) for each in obstacles if each.measures is None]
+    chosen += [moment_on(each.name) for each in obstacles if each.rotation]
     if model.contact.obstacles or any(state.touches for state in solution.states):
         chosen += [contact_area, maximum_contact_pressure, deepest_penetration]
     return tuple(chosen)
@@ -86,10 +103,13 @@ def _obstacle(model: Model, name: str) -> Obstacle:
 def _force_on(at: StateFields, name: str) -> Array:
     """Force of the whole actuator on an obstacle, (3,) [N]."""
     _obstacle(at.model, name)
-    touch = at.state.touches.get(name)
-    if touch is None:
-        return np.zeros(3)
-    return at.facts.of_whole(-at.mesh.symmetry_factor * touch.force.sum(axis=0))
+    return contact_force(at, name)
+
+
+def _moment_on(at: StateFields, name: str) -> Array:
+    """Moment of the whole actuator on an obstacle, (3,) [N m]."""
+    _obstacle(at.model, name)
+    return contact_moment(at, name)
 
 
 def _area_on(at: StateFields, name: str) -> float:

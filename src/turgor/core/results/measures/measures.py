@@ -26,6 +26,7 @@ from turgor.core.results.measures.contact_measures import (
     area_on,
     contact_measures_of,
     force_on,
+    moment_on,
 )
 from turgor.core.results.measures.energies import energy_columns, time_column
 from turgor.core.results.measures.field_measures import (
@@ -222,6 +223,8 @@ def find_measure(name: str) -> Measure:
         return area_on(name.removesuffix("_contact_area"))
     if name.endswith("_force"):
         return force_on(name.removesuffix("_force"))
+    if name.endswith("_moment"):
+        return moment_on(name.removesuffix("_moment"))
     raise unknown("measure", name, MEASURES, MEANT)
 
 

@@ -65,9 +65,7 @@ def _cavity_around(mesh: Mesh, obstacle: Obstacle) -> str | None:
     """The cavity whose wall is nearest to an obstacle all along its path, if that may not touch it."""
     may = _outside(mesh) if obstacle.face is None else mesh.face_nodes(obstacle.face)
     nodes = np.unique(outer_triangles(mesh))
-    nearest = {
-        int(nodes[_nearest(obstacle, mesh.points[nodes], factor)]) for factor, _ in obstacle.path or ((0.0, None),)
-    }
+    nearest = {int(nodes[_nearest(obstacle, mesh.points[nodes], factor)]) for factor in obstacle.stops or (0.0,)}
     for name in mesh.cavities:
         if nearest <= set(np.setdiff1d(mesh.face_nodes(name), may).tolist()):
             return name
@@ -76,14 +74,14 @@ def _cavity_around(mesh: Mesh, obstacle: Obstacle) -> str | None:
 
 def _nearest(obstacle: Obstacle, points: Array, load_factor: float) -> int:
     """Which of some points is nearest to an obstacle at a load factor."""
-    return obstacle.shape.nearest(points - obstacle.displacement(load_factor))
+    return obstacle.shape.nearest(obstacle.pose(load_factor).at_first(points))
 
 
 def _overlap(mesh: Mesh, obstacle: Obstacle) -> Finding | None:
     nodes = mesh.face_nodes(obstacle.face) if obstacle.face is not None else _outside(mesh)
     allowed = OBSTACLES.touching * float(np.ptp(mesh.points, axis=0).max())
     places = mesh.points[nodes]
-    depth = obstacle.shape.depths(places - obstacle.displacement(0.0), allowed)
+    depth = obstacle.shape.depths(obstacle.pose(0.0).at_first(places), allowed)
     inside = depth > allowed
     if not inside.any():
         return None

@@ -105,8 +105,8 @@ def _other_than_tip(model: Model, plate: Obstacle, state: State) -> Finding | No
 
 def _gap(model: Model, plate: Obstacle, state: State, face: str) -> float:
     """Distance of the plate from the foremost point of a face [m]; negative where it penetrates."""
-    nodes, moved = model.mesh.face_nodes(face), plate.displacement(state.load_factor)
-    return plate.shape.clearance(model.mesh.points[nodes] + state.displacement[nodes] - moved)
+    nodes, pose = model.mesh.face_nodes(face), plate.pose(state.load_factor)
+    return plate.shape.clearance(pose.at_first(model.mesh.points[nodes] + state.displacement[nodes]))
 
 
 def _push(plate: Obstacle) -> Array:

@@ -62,7 +62,7 @@ def others_move(system: System, before: float, after: float) -> bool:
         return True
     obstacles = system.model.contact.obstacles
     return bool((system.prescribed_values(before) != system.prescribed_values(after)).any()) or any(
-        bool((each.displacement(before) != each.displacement(after)).any()) for each in obstacles
+        each.moves(before, after) for each in obstacles
     )
 
 

@@ -12,9 +12,10 @@ import results_cases as cases
 
 import turgor as tg
 from refused import refused
+from turgor.core.geometry.directions import rotation_of, rotation_vector
 from turgor.core.results.measures.measures import MEASURES, find_measure, measure
 from turgor.core.results.measures.shape.arcs import distance_from_arc
-from turgor.core.results.measures.shape.screws import rotation_of, rotation_vector, screw_between, screw_path
+from turgor.core.results.measures.shape.screws import screw_between, screw_path
 from turgor.units import deg, mm
 
 STRETCH = 1.1

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.results.measures.shape.screws import rotation_of
+from turgor.core.geometry.directions import rotation_of
 
 Array = NDArray[np.float64]
 

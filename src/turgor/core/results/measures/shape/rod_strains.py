@@ -9,9 +9,9 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.geometry.directions import rotation_vector
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.results.measures.measure import Measure
-from turgor.core.results.measures.shape.screws import rotation_vector
 from turgor.core.results.measures.shape.sections import Pieces, cell_length, sections_of, windows_of
 from turgor.core.results.measures.shape.settings import SHAPE
 from turgor.foundation.errors import TurgorError

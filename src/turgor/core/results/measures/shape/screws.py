@@ -3,36 +3,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.geometry.directions import rotation_vector
+
 Array = NDArray[np.float64]
 
 #: Below this angle [rad] sines are replaced by their first terms.
 SMALL = 1e-6
-
-
-def rotation_vector(rotation: Array) -> Array:
-    """Axis times angle of a rotation (3, 3) by less than half a turn.
-
-    Examples
-    --------
-    >>> c, s = np.cos(0.3), np.sin(0.3)
-    >>> rotation_vector(np.array([[1, 0, 0], [0, c, -s], [0, s, c]])).round(9).tolist()
-    [0.3, 0.0, 0.0]
-    """
-    axis = np.array([rotation[2, 1] - rotation[1, 2], rotation[0, 2] - rotation[2, 0], rotation[1, 0] - rotation[0, 1]])
-    sine = float(np.linalg.norm(axis)) / 2
-    angle = np.arctan2(sine, (np.trace(rotation) - 1) / 2)
-    return np.asarray(axis / 2 * (angle / sine if sine > 1e-12 else 1.0))
-
-
-def rotation_of(vector: Array) -> Array:
-    """Rotation (3, 3) about an axis by an angle, given as axis times angle.
-
-    Examples
-    --------
-    >>> rotation_of(np.array([0.0, 0.0, np.pi / 2])).round(9).tolist()
-    [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
-    """
-    return screw_path(vector, np.zeros(3), np.ones(1))[0][0]
 
 
 def screw_between(turn: Array, shift: Array) -> tuple[Array, Array]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,7 @@ from turgor.core.engine.points.point_unknowns import with_carrier_points
 from turgor.core.engine.term import Configuration, Setting
 from turgor.core.model.loads import Load
 from turgor.core.model.model import Model
+from turgor.core.results.fields.contact import pose_of
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.work.fluid import fluid_works
 from turgor.foundation.errors import TurgorError
@@ -90,12 +92,17 @@ def _setting(model: Model) -> tuple[Setting, tuple]:
 
 def _on_obstacle(path: Sequence[StateFields], name: str) -> Array:
     """Work of the modeled part on an obstacle in each step of a path, (n - 1,) [J]."""
-    forces, places = np.zeros((len(path), 3)), np.zeros((len(path), 3))
+    forces, moments, poses = np.zeros((len(path), 3)), np.zeros((len(path), 3)), []
     for number, at in enumerate(path):
+        (obstacle,) = (each for each in at.model.contact.obstacles if each.name == name)
+        poses.append(pose_of(at, obstacle))
         touch = at.state.touches.get(name)
         if touch is not None:
-            forces[number], places[number] = -touch.force.sum(axis=0), touch.place
-        else:
-            (obstacle,) = (each for each in at.model.contact.obstacles if each.name == name)
-            places[number] = obstacle.displacement(at.state.load_factor)
-    return np.asarray(np.einsum("ki,ki->k", (forces[1:] + forces[:-1]) / 2, np.diff(places, axis=0)))
+            forces[number] = -touch.force.sum(axis=0)
+            moments[number] = np.cross(at.points - poses[-1].pivot, -touch.force).sum(axis=0)
+    ways = np.diff([pose.place for pose in poses], axis=0)
+    turns = np.array([after.turned_since(before) for before, after in pairwise(poses)]).reshape(-1, 3)
+    work = np.einsum("ki,ki->k", forces[1:] + forces[:-1], ways) + np.einsum(
+        "ki,ki->k", moments[1:] + moments[:-1], turns
+    )
+    return np.asarray(work / 2)

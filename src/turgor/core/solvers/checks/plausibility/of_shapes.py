@@ -52,8 +52,8 @@ def obstacle_distance(question: Question) -> Iterator[Magnitude]:
         return
     points = mesh.points[np.unique(outer_triangles(mesh))]
     for each in obstacles:
-        factors = [factor for factor, _ in each.path] or [0.0]
-        nearest = min(each.shape.clearance(points - each.displacement(factor)) for factor in factors)
+        factors = each.stops or (0.0,)
+        nearest = min(each.shape.clearance(each.pose(factor).at_first(points)) for factor in factors)
         yield Magnitude(f"Obstacle '{each.name}', {shown(max(nearest, 0.0), 'm')} away", nearest / size_of(mesh))
 
 

@@ -59,7 +59,7 @@ def check_still(system: System, what: str) -> None:
 def _check_driven(model: Model) -> None:
     """Refuse an arc along which no load changes, or an obstacle moves."""
     for obstacle in model.contact.obstacles:
-        if (obstacle.displacement(0.0) != obstacle.displacement(1.0)).any():
+        if obstacle.moves(0.0, 1.0):
             raise TurgorError(f"ArcLength needs obstacles that stay in place, and '{obstacle.name}' moves.")
     if all(share_at(load.history, 0.0) == share_at(load.history, 1.0) for load in model.loads):
         raise TurgorError("ArcLength follows loads that change, and here none does; state one.")
