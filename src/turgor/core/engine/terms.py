@@ -10,6 +10,7 @@ from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.core.engine.bonds.bond_term import BondTerm, bond_terms
 from turgor.core.engine.cells.internal_variables import NOTHING
 from turgor.core.engine.faces.dead_loads import dead_terms
+from turgor.core.engine.faces.liquid_term import liquid_terms
 from turgor.core.engine.faces.membrane_term import membrane_terms
 from turgor.core.engine.faces.plate_edges import plate_terms
 from turgor.core.engine.faces.pressure_term import PressureTerm, pressure_terms
@@ -33,6 +34,7 @@ Ints = NDArray[np.int64]
 TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     pressure_terms,
     thrust_terms,
+    liquid_terms,
     membrane_terms,
     sheet_state_terms,
     plate_terms,
