@@ -52,8 +52,8 @@ GUIDES = ((7.5e-5, 5.3e-3, 10e-3), (10.075e-3, 5.3e-3, 10.3e-3), (20.012e-3, 2.3
 PULLED = tg.loads.Tendon(through=GUIDES, tension=5.0)
 DRAWN = tg.loads.Tendon(through=GUIDES, pull=4e-3, cable_stiffness=2e3, friction=0.4)
 TILTED = {"density": 3e5, "level": 0.05, "direction": (0.3, -1, 0.5)}
-WATER = tuple(tg.loads.Liquid(face=side, **TILTED) for side in meshes.SIDES)
-FLOAT = (tg.loads.Liquid(face="z1", free_surface=True, **TILTED | {"level": -0.005}),)
+WATER = tuple(tg.loads.HydrostaticPressure(face=side, **TILTED) for side in meshes.SIDES)
+FLOAT = (tg.loads.HydrostaticPressure(face="z1", free_surface=True, **TILTED | {"level": -0.005}),)
 NETWORK = (*STATES[:2], tg.loads.Hardening("body", 1.5))
 CASES = {
     "tendon": (problems.NEO_HOOKE, np.inf, None, (PULLED,)),

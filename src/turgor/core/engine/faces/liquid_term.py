@@ -25,7 +25,7 @@ class LiquidTerm(Term):
     ----------
     sides : (f, n) int array
         Nodes of the sides.
-    load : Liquid
+    load : HydrostaticPressure
         The load of one of them.
     gradient : (3,) array
         Scaled gradient g of the whole pressure.
@@ -67,8 +67,9 @@ class LiquidTerm(Term):
 
     def add_forces(self, out: Array, at: Configuration) -> None:
         """Add the pressure times the deformed areas, against the normals."""
-        r, pressures = self._tables, self._pressures(at)
-        add_at_nodes(out, self.sides, -surfaces.pressure_forces(at.position, self.sides, r.N, r.dN, pressures * r.weights))
+        r = self._tables
+        weighted = self._pressures(at) * r.weights
+        add_at_nodes(out, self.sides, -surfaces.pressure_forces(at.position, self.sides, r.N, r.dN, weighted))
 
     def _tangents(self, at: Configuration) -> Array:
         """The pressure as the normals turn, and the normals as the pressure changes."""
@@ -77,7 +78,8 @@ class LiquidTerm(Term):
         local = np.asarray(surfaces.pressure_tangents(at.position, self.sides, r.N, r.dN, weighted))
         edges = np.einsum("qad,fai->fqdi", r.dN, at.position[self.sides])
         wet = pressures != 0 if self.load.free_surface else np.ones_like(pressures)
-        normals = (self.load.share(at.load_factor) * wet * r.weights)[..., None] * np.cross(edges[:, :, 0], edges[:, :, 1])
+        share = self.load.share(at.load_factor) * wet * r.weights
+        normals = share[..., None] * np.cross(edges[:, :, 0], edges[:, :, 1])
         deeper = np.einsum("qa,qb,fqi,j->faibj", r.N, r.N, normals, self.gradient, optimize=True)
         return np.asarray(local + deeper.reshape(local.shape))
 

@@ -10,8 +10,8 @@ from turgor.core.model.loads.gravity import STANDARD_GRAVITY as STANDARD_GRAVITY
 from turgor.core.model.loads.gravity import Gravity as Gravity
 from turgor.core.model.loads.hanging import Hanging as Hanging
 from turgor.core.model.loads.hardening import Hardening as Hardening
+from turgor.core.model.loads.hydrostatic_pressure import HydrostaticPressure as HydrostaticPressure
 from turgor.core.model.loads.line_force import LineForce as LineForce
-from turgor.core.model.loads.liquid import Liquid as Liquid
 from turgor.core.model.loads.load import Load as Load
 from turgor.core.model.loads.moment import Moment as Moment
 from turgor.core.model.loads.point_force import PointForce as PointForce

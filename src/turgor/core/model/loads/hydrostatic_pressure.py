@@ -1,4 +1,4 @@
-"""Liquid: its weight as a pressure on a face that grows with depth."""
+"""HydrostaticPressure: the weight of a liquid, as a pressure on a face that grows with depth."""
 
 from dataclasses import dataclass, field
 from math import isfinite
@@ -17,7 +17,7 @@ from turgor.units import mm
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Liquid(Load):
+class HydrostaticPressure(Load):
     """A liquid that fills a cavity or surrounds a face: its pressure is 0 at a level and grows with depth.
 
     The pressure acts on the deformed face, so that all of it together is the weight of what a cavity contains, or the
@@ -48,7 +48,7 @@ class Liquid(Load):
 
     Examples
     --------
-    >>> Liquid(face="cavity", density="1000 kg/m³", level="80 mm").text()
+    >>> HydrostaticPressure(face="cavity", density="1000 kg/m³", level="80 mm").text()
     'Liquid of 1000 kg/m³ on cavity, of no pressure at a height of 80 mm, following the surface.'
     """
 
@@ -116,6 +116,6 @@ class Liquid(Load):
         return False
 
     @property
-    def liquid(self) -> "Liquid":
+    def liquid(self) -> "HydrostaticPressure":
         """Itself."""
         return self
