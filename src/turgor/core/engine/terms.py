@@ -10,7 +10,6 @@ from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.core.engine.bonds.bond_term import BondTerm, bond_terms
 from turgor.core.engine.cells.internal_variables import NOTHING
 from turgor.core.engine.faces.dead_loads import dead_terms
-from turgor.core.engine.faces.liquid_term import liquid_terms
 from turgor.core.engine.faces.membrane_term import membrane_terms
 from turgor.core.engine.faces.plate_edges import plate_terms
 from turgor.core.engine.faces.pressure_term import PressureTerm, pressure_terms
@@ -18,6 +17,7 @@ from turgor.core.engine.faces.states.sheet_state_term import sheet_state_terms
 from turgor.core.engine.faces.thrust_term import ThrustTerm, thrust_terms
 from turgor.core.engine.fibers.fiber_term import fiber_terms
 from turgor.core.engine.fibers.tendon_term import tendon_terms
+from turgor.core.engine.liquids.liquid_term import liquid_terms
 from turgor.core.engine.points.average_term import average_terms
 from turgor.core.engine.points.bearing_term import bearing_terms
 from turgor.core.engine.points.foundation_term import foundation_terms

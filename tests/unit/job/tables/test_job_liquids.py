@@ -1,11 +1,11 @@
-"""Liquids in job files: read, written into the lock file, refused."""
+"""Liquids and motion in water in job files: read, written into the lock file, refused."""
 
 from pathlib import Path
 
 import pytest
 
 from refused import any_states, refused
-from turgor.core.model.loads import HydrostaticPressure
+from turgor.core.model.loads import HydrostaticPressure, Morison
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 from turgor.job.text.problems import JobError
@@ -34,6 +34,12 @@ face = "outside"
 density = "1000 kg/m³"
 level = "1 m"
 free_surface = true
+
+[[loads.morison]]
+face = "outside"
+density = "1000 kg/m³"
+axis = [1, 0, 0]
+drag = 3
 """
 
 
@@ -44,9 +50,11 @@ def read(folder: Path, text: str):
 
 def test_liquids_are_read_and_written(tmp_path: Path) -> None:
     job = read(tmp_path, JOB)
-    inside, outside = job.loads
+    inside, outside, moving = job.loads
     assert inside == HydrostaticPressure(face="cavity", density=1000, level=0.03, history="constant")
     assert outside == HydrostaticPressure(face="outside", density=1000, level=1, free_surface=True)
+    assert moving == Morison(face="outside", density=1000, axis=(1, 0, 0), drag=3)
+    assert moving.text() == "Liquid of 1000 kg/m³ around outside, by strip theory: added mass 1, drag 3."
     assert inside.gradient == pytest.approx((0, 0, -9806.65))
     assert outside.text().endswith("no pressure at a height of 1000 mm, dry above, following the surface.")
     assert read(tmp_path, lock_text(job, {})).loads == job.loads
@@ -59,6 +67,8 @@ def test_liquids_are_read_and_written(tmp_path: Path) -> None:
         ('density = "1 g/cm³"', 'density = "0 kg/m³"', ["loads.liquids", "density is 0", "above 0"]),
         ('"cavity"', '"cavty"', ["cavty", "cavity"]),
         ("free_surface", "free_surfac", ["free_surfac", "free_surface"]),
+        ("axis = [1, 0, 0]", "axis = [0, 0, 0]", ["loads.morison", "zero vector"]),
+        ("drag = 3", "drag = -3", ["loads.morison", "drag is -3", "0 or more"]),
         ('level = "3 cm"', 'direction = [0, 1, -1]\nlevel = "3 cm"', ["mirror", "actuator.symmetric = false"]),
     ],
 )

@@ -14,6 +14,7 @@ from turgor.core.model.loads.hydrostatic_pressure import HydrostaticPressure as 
 from turgor.core.model.loads.line_force import LineForce as LineForce
 from turgor.core.model.loads.load import Load as Load
 from turgor.core.model.loads.moment import Moment as Moment
+from turgor.core.model.loads.morison import Morison as Morison
 from turgor.core.model.loads.point_force import PointForce as PointForce
 from turgor.core.model.loads.pre_stretch import PreStretch as PreStretch
 from turgor.core.model.loads.pressure import Pressure as Pressure
