@@ -83,3 +83,9 @@ def test_numbers_of_a_liquid() -> None:
         HydrostaticPressure(face="cavity", density=1000, level=0, free_surface="yes")
     with refused("acceleration", "-1", "above 0"):
         HydrostaticPressure(face="cavity", density=1000, level=0, acceleration=-1)
+
+
+def test_water_that_comes_is_written(tmp_path: Path) -> None:
+    job = read(tmp_path, JOB + "history = [[0, 0], [1, 1]]\n")
+    assert job.loads[-1].share(0.5) == 0.5
+    assert read(tmp_path, lock_text(job, {})).loads == job.loads
