@@ -11,9 +11,11 @@ if TYPE_CHECKING:
     from turgor.core.model.loads import Gravity as Gravity
     from turgor.core.model.loads import Hanging as Hanging
     from turgor.core.model.loads import Hardening as Hardening
+    from turgor.core.model.loads import HydrostaticPressure as HydrostaticPressure
     from turgor.core.model.loads import LineForce as LineForce
     from turgor.core.model.loads import Load as Load
     from turgor.core.model.loads import Moment as Moment
+    from turgor.core.model.loads import Morison as Morison
     from turgor.core.model.loads import PointForce as PointForce
     from turgor.core.model.loads import Pressure as Pressure
     from turgor.core.model.loads import PreStretch as PreStretch

@@ -51,6 +51,9 @@ STATES = (
 GUIDES = ((7.5e-5, 5.3e-3, 10e-3), (10.075e-3, 5.3e-3, 10.3e-3), (20.012e-3, 2.3e-3, 11.2e-3))
 PULLED = tg.loads.Tendon(through=GUIDES, tension=5.0)
 DRAWN = tg.loads.Tendon(through=GUIDES, pull=4e-3, cable_stiffness=2e3, friction=0.4)
+TILTED = {"density": 3e5, "level": 0.05, "direction": (0.3, -1, 0.5)}
+WATER = tuple(tg.loads.HydrostaticPressure(face=side, **TILTED) for side in meshes.SIDES)
+FLOAT = (tg.loads.HydrostaticPressure(face="z1", free_surface=True, **TILTED | {"level": -0.005}),)
 NETWORK = (*STATES[:2], tg.loads.Hardening("body", 1.5))
 CASES = {
     "tendon": (problems.NEO_HOOKE, np.inf, None, (PULLED,)),
@@ -75,6 +78,8 @@ CASES = {
     ),
     "pressure on an open face": (problems.YEOH, np.inf, None, (OPEN,)),
     "pressure on all faces": (problems.YEOH, np.inf, None, tuple(tg.Pressure(s, 4e4) for s in meshes.SIDES)),
+    "liquid on all faces": (problems.YEOH, np.inf, None, WATER),
+    "liquid with a free surface on an open face": (problems.YEOH, np.inf, None, FLOAT),
     "membrane": (problems.YEOH, np.inf, SHEET, ()),
     "membrane that wrinkles": (problems.YEOH, np.inf, WRINKLING, ()),
     "shell": (problems.YEOH, np.inf, SHELL, ()),

@@ -1,4 +1,4 @@
-"""Mass: the consistent mass matrix of the rubber, and the masses of reference points.
+"""Mass: the consistent mass matrix of the rubber, the masses of reference points and of the liquid in cavities.
 
 Membranes and fibers are weightless, as they are for gravity.
 """
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.cells import kernels_geometry
 from turgor.core.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell
+from turgor.core.engine.liquids.content_mass import content_mass
 from turgor.core.engine.points.point_mass import add_point_masses
 from turgor.core.engine.system import System
 from turgor.core.meshing.mesh import Mesh
@@ -87,6 +88,8 @@ def mass_data(system: System, density: Array | None = None) -> Array:
     if not rubber_only:
         scale = 1 / (system.length * system.stress_scale)
         add_point_masses(data, system.layout.base, system.model, system.carriers, scale)
+        content = content_mass(system)
+        data += 0.0 if content is None else content
     return data
 
 

@@ -29,7 +29,7 @@ from turgor.core.engine.evaluation import Stresses as Stresses
 from turgor.core.engine.middle_ties import with_middles
 from turgor.core.engine.points.motion import PointMotion, carrier_displacement, carrier_velocity
 from turgor.core.engine.points.point_unknowns import with_carrier_points
-from turgor.core.engine.term import Configuration, Setting, displacements
+from turgor.core.engine.term import Configuration, Setting, displacements, lower
 from turgor.core.engine.terms import Terms
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.drive import extremes
@@ -241,6 +241,17 @@ class System:
             ends = (self.piece_unknowns[:, chosen[entries]].ravel() for chosen in (rows, columns))
             scatter_add(data, locate(base.indptr, base.indices, *ends), values.ravel())
         self._frames.turn_tangent(self.layout.base, data, self.node_count)
+        self.layout.reduce_base(data)
+        return data
+
+    def scattered_sides(self, sides: NDArray[np.int64], local: Array) -> Array:
+        """Sum matrices of sides (f, n, 3, n, 3) with nodes (f, n) into the lower triangle of the tangent."""
+        base, unknowns = self.layout.base, displacements(sides)
+        data, (rows, columns) = np.zeros(len(base.indices)), np.tril_indices(unknowns.shape[1])
+        places = locate(base.indptr, base.indices, unknowns[:, rows].ravel(), unknowns[:, columns].ravel())
+        square = local.reshape(len(sides), unknowns.shape[1], -1)
+        scatter_add(data, places, lower(square))
+        self._frames.turn_tangent(base, data, self.node_count)
         self.layout.reduce_base(data)
         return data
 

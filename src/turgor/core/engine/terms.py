@@ -17,6 +17,7 @@ from turgor.core.engine.faces.states.sheet_state_term import sheet_state_terms
 from turgor.core.engine.faces.thrust_term import ThrustTerm, thrust_terms
 from turgor.core.engine.fibers.fiber_term import fiber_terms
 from turgor.core.engine.fibers.tendon_term import tendon_terms
+from turgor.core.engine.liquids.liquid_term import liquid_terms
 from turgor.core.engine.points.average_term import average_terms
 from turgor.core.engine.points.bearing_term import bearing_terms
 from turgor.core.engine.points.foundation_term import foundation_terms
@@ -33,6 +34,7 @@ Ints = NDArray[np.int64]
 TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     pressure_terms,
     thrust_terms,
+    liquid_terms,
     membrane_terms,
     sheet_state_terms,
     plate_terms,

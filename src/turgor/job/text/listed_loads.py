@@ -165,7 +165,12 @@ def listed_values(loads: Iterable[Load]) -> dict[str, list[dict[str, Any]]]:
 
 def _load_of(kind: Any, table: Any, duration: float | None) -> Any:
     given = {item.name: getattr(table, _key(item)) for item in _stated(kind)}
-    return kind(**given, history=history_of(table, _words(kind), duration))
+    return kind(**given, history=history_of(table, _words(kind), duration, _usual(kind)))
+
+
+def _usual(kind: type) -> Any:
+    """The history of a load that states none."""
+    return next(item.default for item in fields(kind) if item.name == "history")
 
 
 def _words(kind: Any) -> str:
@@ -228,7 +233,7 @@ def _written(load: Any) -> dict[str, Any]:
         value = getattr(load, item.name)
         if value != item.default or item.default is MISSING:
             values[_key(item)] = _shown(value, item.metadata.get("dimension", ""), item.metadata.get("points", False))
-    return values | history_values(load.history)
+    return values | history_values(load.history, _usual(type(load)))
 
 
 def _shown(value: Any, dimension: str, points: bool = False) -> Any:

@@ -44,10 +44,10 @@ class Timed(Protocol):
         """Over the time."""
 
 
-def history_of(table: Timed, what: str, duration: float | None) -> Any:
-    """Return the history of a table, over the load factor or, with a duration, over the time in seconds."""
+def history_of(table: Timed, what: str, duration: float | None, usual: History = RAMP) -> Any:
+    """Return the history of a table, over the load factor or, with a duration, over the time; ``usual`` by default."""
     if table.history_over_time is None:
-        return RAMP if table.history is None else table.history
+        return usual if table.history is None else table.history
     if table.history is not None:
         raise TurgorError(f"{what}: history and history_over_time are both given; one says it.")
     if duration is None:
@@ -55,7 +55,7 @@ def history_of(table: Timed, what: str, duration: float | None) -> Any:
     return over_time(table.history_over_time, duration)
 
 
-def history_values(history: History) -> dict[str, Any]:
+def history_values(history: History, usual: History = RAMP) -> dict[str, Any]:
     """Write a history as a key of a table, without the default.
 
     Examples
@@ -63,7 +63,7 @@ def history_values(history: History) -> dict[str, Any]:
     >>> history_values(((0, 0), (1, 0.5))), history_values(RAMP)
     ({'history': [[0, 0], [1, 0.5]]}, {})
     """
-    if history == RAMP:
+    if history == usual:
         return {}
     return {"history": history if isinstance(history, str) else [list(point) for point in history]}
 

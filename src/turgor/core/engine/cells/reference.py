@@ -18,6 +18,9 @@ CELL_QUADRATURE_DEGREE = 4
 #: quadrilaterals the product is of degree 5 in each direction: 9 points.
 SURFACE_QUADRATURE_DEGREE = {TRIANGLE.corners: 4, QUADRILATERAL.corners: 5}
 
+#: A pressure that is linear in x (quadratic) makes that product one of degree 6, and 7 in each direction.
+LIQUID_QUADRATURE_DEGREE = {TRIANGLE.corners: 6, QUADRILATERAL.corners: 7}
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ReferenceCell:
@@ -142,3 +145,8 @@ def product_rule(nodes: int, degree: int) -> ReferenceCell:
 def side_tables(nodes: int) -> ReferenceCell:
     """Tables of a side with that many nodes for the integrals of pressure, volume and area."""
     return reference_cell(nodes, SURFACE_QUADRATURE_DEGREE[3 if nodes == TRIANGLE.nodes else 4])
+
+
+def liquid_tables(nodes: int) -> ReferenceCell:
+    """Tables of a side with that many nodes for the integral of a pressure that grows with depth."""
+    return reference_cell(nodes, LIQUID_QUADRATURE_DEGREE[3 if nodes == TRIANGLE.nodes else 4])

@@ -73,7 +73,7 @@ class PressureTerm(Term):
     @property
     def _tables(self) -> tuple[Array, Array, Array]:
         reference = side_tables(self.sides.shape[1])
-        return reference.N, reference.dN, reference.weights
+        return reference.N, reference.dN, np.tile(reference.weights, (len(self.sides), 1))
 
     def _tangents(self, at: Configuration) -> Array:
         local = np.asarray(surfaces.pressure_tangents(at.position, self.sides, *self._tables))

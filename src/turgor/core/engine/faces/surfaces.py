@@ -71,13 +71,16 @@ def nodal_weights(points: Array, triangles: Triangles) -> Array:
 
 
 @njit(**LOOP)
-def pressure_forces(x, triangles, N, dN, weights):
-    """Unit pressure on each triangle: ∫ N n da per node, (f, n, 3); n points out of the solid."""
+def pressure_forces(x, triangles, N, dN, pressures):
+    """Pressure on each triangle: ∫ p N n da per node, (f, n, 3); n points out of the solid.
+
+    ``pressures`` (f, q) are those at the quadrature points times their weights.
+    """
     out = np.empty((len(triangles), triangles.shape[1], 3))
     out[:] = 0.0  # np.zeros takes longer to compile
     r, s = np.empty(3), np.empty(3)
     for f in range(len(triangles)):
-        for q in range(len(weights)):
+        for q in range(pressures.shape[1]):
             for i in range(3):
                 r[i], s[i] = 0.0, 0.0
                 for a in range(triangles.shape[1]):
@@ -86,18 +89,18 @@ def pressure_forces(x, triangles, N, dN, weights):
             n = (r[1] * s[2] - r[2] * s[1], r[2] * s[0] - r[0] * s[2], r[0] * s[1] - r[1] * s[0])
             for a in range(triangles.shape[1]):
                 for i in range(3):
-                    out[f, a, i] += weights[q] * N[q, a] * n[i]
+                    out[f, a, i] += pressures[f, q] * N[q, a] * n[i]
     return out
 
 
 @njit(**LOOP)
-def pressure_tangents(x, triangles, N, dN, weights):
+def pressure_tangents(x, triangles, N, dN, pressures):
     """Derivative of `pressure_forces` by the nodal positions, (f, 3n, 3n); it is not symmetric triangle by triangle."""
     out = np.empty((len(triangles), 3 * triangles.shape[1], 3 * triangles.shape[1]))
     out[:] = 0.0
     r, s, v = np.empty(3), np.empty(3), np.empty(3)
     for f in range(len(triangles)):
-        for q in range(len(weights)):
+        for q in range(pressures.shape[1]):
             for i in range(3):
                 r[i], s[i] = 0.0, 0.0
                 for a in range(triangles.shape[1]):
@@ -107,7 +110,7 @@ def pressure_tangents(x, triangles, N, dN, weights):
                 for i in range(3):
                     v[i] = dN[q, b, 1] * r[i] - dN[q, b, 0] * s[i]  # ∂n/∂x_b = [v]×
                 for a in range(triangles.shape[1]):
-                    w = weights[q] * N[q, a]
+                    w = pressures[f, q] * N[q, a]
                     out[f, 3 * a, 3 * b + 1] -= w * v[2]
                     out[f, 3 * a, 3 * b + 2] += w * v[1]
                     out[f, 3 * a + 1, 3 * b] += w * v[2]

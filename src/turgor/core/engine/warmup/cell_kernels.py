@@ -82,8 +82,8 @@ def compile_pressure(nodes: int) -> None:
     """Compile the kernels of follower pressure on element sides."""
     points, sides = _one_cell(nodes)[0], _one_side(nodes)
     r = side_tables(sides.shape[1])
-    surfaces.pressure_forces(points, sides, r.N, r.dN, r.weights)
-    surfaces.pressure_tangents(points, sides, r.N, r.dN, r.weights)
+    surfaces.pressure_forces(points, sides, r.N, r.dN, r.weights[None].copy())
+    surfaces.pressure_tangents(points, sides, r.N, r.dN, r.weights[None].copy())
 
 
 def compile_sheets(nodes: int) -> None:

@@ -10,9 +10,11 @@ from turgor.core.model.loads.gravity import STANDARD_GRAVITY as STANDARD_GRAVITY
 from turgor.core.model.loads.gravity import Gravity as Gravity
 from turgor.core.model.loads.hanging import Hanging as Hanging
 from turgor.core.model.loads.hardening import Hardening as Hardening
+from turgor.core.model.loads.hydrostatic_pressure import HydrostaticPressure as HydrostaticPressure
 from turgor.core.model.loads.line_force import LineForce as LineForce
 from turgor.core.model.loads.load import Load as Load
 from turgor.core.model.loads.moment import Moment as Moment
+from turgor.core.model.loads.morison import Morison as Morison
 from turgor.core.model.loads.point_force import PointForce as PointForce
 from turgor.core.model.loads.pre_stretch import PreStretch as PreStretch
 from turgor.core.model.loads.pressure import Pressure as Pressure

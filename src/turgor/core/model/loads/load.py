@@ -269,6 +269,16 @@ class Load:
         """The load, if it is a cable through guides; None of other loads."""
         return None
 
+    @property
+    def liquid(self) -> Any:
+        """The load, if it is the weight of a liquid; None of other loads."""
+        return None
+
+    @property
+    def strips(self) -> Any:
+        """The load, if it is the liquid around a slender body in motion; None of other loads."""
+        return None
+
     def terms(self, setting: Any) -> Sequence[Any]:
         """Return terms of its own, where its forces change with the deformation: see `turgor.core.engine.term`."""
         return ()

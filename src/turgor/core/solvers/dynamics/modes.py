@@ -10,6 +10,7 @@ from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 from turgor.core.engine.algebra.linear import LinearSolver, SingularTangentError, linear_solver
 from turgor.core.engine.algebra.pattern import Pattern
 from turgor.core.engine.evaluation import Evaluation
+from turgor.core.engine.liquids.morison import added_mass, strips_of
 from turgor.core.engine.mass import mass_data, total_mass
 from turgor.core.engine.points.point_mass import attached_mass
 from turgor.core.engine.runtime import EngineOptions, use_threads
@@ -86,7 +87,8 @@ def natural_frequencies(
 ) -> Modes:
     """Find the lowest natural frequencies of a model at rest or about a state of its path.
 
-    The tangent at the state, with its pressures and stresses, is the stiffness; the mass is that of the rubber. Rubber
+    The tangent at the state, with its pressures and stresses, is the stiffness; the mass is that of the rubber and
+    of the liquid that moves along. Rubber
     that relaxes has its instantaneous stiffness, as in a vibration much faster than its relaxation times. A half
     model has the modes that are symmetric about its mirror planes, and no others.
 
@@ -129,6 +131,7 @@ def natural_frequencies(
         if at is None:
             raise TurgorError("the state turns a cell inside out; it is no equilibrium of this model.")
         stiffness, mass = system.tangent_data(at), mass_data(system)
+        mass += added_mass(system, strips_of(system), system.configuration(at).position, load_factor)
         check_elastic(system, at)
         eigenvalues, vectors = _solve(system, stiffness, mass, count, options)
     rigid = np.abs(eigenvalues) < MODES.rigid_share * _first_shift(system)

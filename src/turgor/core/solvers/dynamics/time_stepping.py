@@ -27,6 +27,7 @@ from turgor.core.solvers.dynamics.generalized_alpha import Motion, TimeStep, Wei
 from turgor.core.solvers.dynamics.initial_motion import Accelerations
 from turgor.core.solvers.dynamics.motion_outcomes import moved, no_motion, out_of_time_steps
 from turgor.core.solvers.dynamics.settings import TIME_STEPPING
+from turgor.core.solvers.dynamics.slender_bodies import SlenderBodies
 from turgor.core.solvers.dynamics.time_step_control import TimeControl
 from turgor.core.solvers.energies import Energies
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
@@ -52,6 +53,7 @@ class _Run:
     procedure: TimeOptions
     control: TimeControl
     mass: Array
+    bodies: SlenderBodies
     moving: Array
     motion: Motion
     at: Evaluation
@@ -93,7 +95,8 @@ def _begin(problem: Problem, procedure: TimeOptions) -> _Run:
     if at is None:
         raise TurgorError("the start turns a cell inside out; it is no state of this model.")
     mass = mass_data(system)
-    accelerations = Accelerations(system, at, mass)
+    added = (bodies := SlenderBodies.of(system)).mass(at)
+    accelerations = Accelerations(system, at, mass + added)
     if procedure.velocity is not None:
         points, stated = system.model.mesh.points, procedure.velocity
         given = np.broadcast_to(np.asarray(stated(points) if callable(stated) else stated), points.shape)
@@ -103,14 +106,16 @@ def _begin(problem: Problem, procedure: TimeOptions) -> _Run:
         damping = procedure.mass_damping * system.layout.base.product(mass, velocity)
         if procedure.stiffness_damping:
             damping += StrainRateDamping(system, procedure.stiffness_damping, 0.0, velocity).forces(unknowns)
+        damping += bodies.drag(at, velocity)
     acceleration, stress = accelerations.acceleration(velocity, damping)
+    damping = damping + system.layout.base.product(added, acceleration)
     moving = system.moving.astype(np.float64)
-    kinetic = _unit(system) * 0.5 * float(velocity @ system.layout.base.product(mass, velocity))
+    kinetic = _unit(system) * 0.5 * float(velocity @ system.layout.base.product(mass + added, velocity))
     strain = stored_energy(system, unknowns, at.load_factor, history) + contact_energy(system, at)
     run = _Run(
         problem=problem, procedure=procedure, control=TimeControl.of(procedure, kinks(system.model)),
-        mass=mass, moving=moving, motion=Motion(unknowns + stress, velocity, acceleration, acceleration), at=at,
-        pushed=pushing(system, at), damping=damping,
+        mass=mass, bodies=bodies, moving=moving, at=at, pushed=pushing(system, at), damping=damping,
+        motion=Motion(unknowns + stress, velocity, acceleration, acceleration),
         energies=Energies(kinetic=kinetic, strain=strain, dissipated=0.0, work=kinetic + strain),
         internal=at.residual + at.external, memory=history.memory, largest=_largest(system, unknowns),
         weights=Weights.of(procedure.spectral_radius),
@@ -144,7 +149,7 @@ def _advance(run: _Run) -> Outcome | None:
     system, procedure, began = run.system, run.procedure, perf_counter()
     time = run.control.next_time(run.time)
     rule = TimeStep(run.weights, run.motion, time - run.time, run.moving)
-    damping = _damping(run, rule)
+    damping = [*_damping(run, rule), *run.bodies.of_step(rule, time / procedure.duration)]
     acting = Together([_inertia(run, rule), *damping])
     constraint = load_control(system, history=system.history(run.memory, rule.length), addition=acting)
     result = _equilibrium(run, constraint, rule, time / procedure.duration)
@@ -258,7 +263,7 @@ def _accept(
 
 
 def _energies(run: _Run, end: tuple[Motion, Evaluation, Pushing], forces: tuple[Array, Array]) -> Energies:
-    """Energies at the end of a step; work by the trapezoidal rule, that of damping and of the stresses alike."""
+    """Energies at the end of a step; work by the trapezoidal rule, that of damping, drag and the stresses alike."""
     system, before, (motion, at, pushed) = run.system, run.energies, end
     damping, internal = forces
     moved = run.moving * (at.unknowns - run.at.unknowns)
@@ -272,8 +277,11 @@ def _energies(run: _Run, end: tuple[Motion, Evaluation, Pushing], forces: tuple[
         taken += 0.5 * unit * float((run.internal + internal) @ moved) - (strain - before.strain) + by_contacts
     else:
         taken += taken_by_friction(system, at)
+    rubber = 0.5 * unit * float(motion.velocity @ system.layout.base.product(run.mass, motion.velocity))
+    water = unit * run.bodies.kinetic(at, motion.velocity)
+    taken -= water - unit * run.bodies.kinetic(run.at, run.motion.velocity)
     return Energies(
-        kinetic=0.5 * unit * float(motion.velocity @ system.layout.base.product(run.mass, motion.velocity)),
+        kinetic=rubber + water,
         strain=strain,
         dissipated=before.dissipated + taken,
         work=before.work + unit * work + by_contacts + work_of_states(system, run.at, at),
