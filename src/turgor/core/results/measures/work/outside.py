@@ -102,7 +102,5 @@ def _on_obstacle(path: Sequence[StateFields], name: str) -> Array:
             moments[number] = np.cross(at.points - poses[-1].pivot, -touch.force).sum(axis=0)
     ways = np.diff([pose.place for pose in poses], axis=0)
     turns = np.array([after.turned_since(before) for before, after in pairwise(poses)]).reshape(-1, 3)
-    work = np.einsum("ki,ki->k", forces[1:] + forces[:-1], ways) + np.einsum(
-        "ki,ki->k", moments[1:] + moments[:-1], turns
-    )
-    return np.asarray(work / 2)
+    work = (forces[1:] + forces[:-1]) * ways + (moments[1:] + moments[:-1]) * turns
+    return np.asarray(work.sum(axis=1) / 2)
