@@ -1,4 +1,4 @@
-"""The example jobs of a print and of a film solve, and bend as far as docs/howto/real-parts.md shows.
+"""The example jobs of a print, a film and a textile muscle solve, and move as far as the how-tos show.
 
 The print has a mesh that differs from machine to machine, and an estimated mesh error of 7 % at its size, which is
 the tolerance.
@@ -22,6 +22,12 @@ def angle(name: str) -> float:
 
 def test_a_print_bends() -> None:
     assert angle("print") == pytest.approx(12.5, rel=0.07)
+
+
+@pytest.mark.slow
+def test_a_textile_muscle_lifts_a_weight() -> None:
+    at_end = at_the_end(read_job(JOBS.parent / "textile_muscle.toml"))
+    assert at_end["tip_displacement_x"] == pytest.approx(-10.75e-3, rel=0.02)
 
 
 @pytest.mark.slow

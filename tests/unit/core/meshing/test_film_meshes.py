@@ -33,6 +33,16 @@ def test_a_pouch_has_films_seams_and_mirror_planes(pouch):
     assert np.isclose(pouch.points[pouch.face_nodes("tip"), 0].max(), 55 * mm)
 
 
+def test_a_row_of_pouches_shares_its_seams():
+    mesh = tg.mesh(tg.actuators.Pouch(length=20 * mm, width=10 * mm, seam=4 * mm, count=3), size=5 * mm)
+    films, seams = (surface_frames(mesh.points, mesh.face(name)).areas.sum() for name in ("film", "seams"))
+    assert (films, seams) == pytest.approx((3 * 20 * 5 * mm**2, 4 * 4 * 5 * mm**2))
+    ends = [mesh.points[mesh.face_nodes(name), 0] for name in ("fixed", "tip")]
+    assert (ends[0].max(), ends[1].min(), ends[1].max()) == pytest.approx((0, 68 * mm, 72 * mm))
+    with refused("count is 0", "1 to 100"):
+        tg.actuators.Pouch(count=0)
+
+
 def test_a_cavity_above_which_the_film_rises_grows(pouch):
     """Normals point into the cavity."""
     lifted = np.zeros_like(pouch.points)
