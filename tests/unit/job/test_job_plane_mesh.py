@@ -1,6 +1,7 @@
 """Plane meshes of files in a job: keys, names, cavities that are found, and what is refused."""
 
 from pathlib import Path
+from typing import Any
 
 import exchange_cases as cases
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 
 import turgor as tg
 from refused import refused
+from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.core.meshing.exchange.formats.raw import KINDS, Block
 from turgor.core.meshing.revolved.plane_cells import plane_cells
 from turgor.job.output.lock import lock_text
@@ -28,7 +30,7 @@ pressure = "2 kPa"
 STIFF = 'STIFF = { law = "neo_hooke", C10 = "240 kPa" }'
 
 
-def frame_file(folder: Path, low: float = 0.0, solid: bool = False) -> Path:
+def frame_file(folder: Path, low: float = 0.0, hole: tuple[int, int] = (2, 4)) -> Path:
     """A rectangle of 40 × 12 mm around a hole of 32 × 4 mm, in squares and two triangles, with a named end."""
     x, y = np.meshgrid(np.arange(0, 41, 2.0), np.arange(0, 13, 2.0), indexing="ij")
     points = np.stack([x.ravel() + low, y.ravel(), 0 * x.ravel()], axis=1)
@@ -39,7 +41,7 @@ def frame_file(folder: Path, low: float = 0.0, solid: bool = False) -> Path:
             a, b, c, d = node[i, j], node[i + 1, j], node[i + 1, j + 1], node[i, j + 1]
             if i == j == 0:
                 triangles = [[a, b, c], [a, c, d]]
-            elif solid or not (2 <= i < 18 and 2 <= j < 4):
+            elif not (2 <= i < 18 and hole[0] <= j < hole[1]):
                 quads.append([a, b, c, d])
     lines = [*cases.inp_nodes(points), "*ELEMENT, TYPE=CPE4, ELSET=SOFT"]
     lines += [f"{n}, {', '.join(map(str, cell))}" for n, cell in enumerate(quads, 1)]
@@ -52,7 +54,7 @@ def frame_file(folder: Path, low: float = 0.0, solid: bool = False) -> Path:
     return file
 
 
-def job_of(folder: Path, key: str, **frame: float) -> tg.jobs.Job:
+def job_of(folder: Path, key: str, **frame: Any) -> tg.jobs.Job:
     frame_file(folder, **frame)
     (folder / "frame.toml").write_text(JOB.format(key=key, stiff=STIFF), encoding="utf-8")
     return tg.jobs.read_job(folder / "frame.toml")
@@ -80,14 +82,29 @@ def test_an_axisymmetric_mesh_is_turned_about_the_axis_of_its_file(tmp_path: Pat
     exact = np.pi * (40 * 12**2 - 32 * (8**2 - 4**2)) * mm**3  # Pappus
     geometry = job.actuator.build()
     assert tg.files.read_plane_mesh(job.actuator.file, job.actuator.plane).symmetry_factor == 4
-    from turgor.core.engine.chamber_volumes import cavity_volume
-
     assert cavity_volume(mesh, "cavity") == pytest.approx(np.pi * 32 * (8**2 - 4**2) * mm**3, rel=1e-6)
     assert geometry.solid_volume * 4 == pytest.approx(exact, rel=1e-3)
     # what lies on the axis is a thin hole there, and no surface
     assert not mesh.on_axis[np.concatenate([mesh.faces["outside"], mesh.faces["fixed"]])].all(axis=1).any()
     (tmp_path / "again.toml").write_text(lock_text(job, {}), encoding="utf-8")
     assert tg.jobs.read_job(tmp_path / "again.toml").actuator == job.actuator
+
+
+def test_a_cavity_may_end_at_the_axis(tmp_path: Path) -> None:
+    mesh = job_of(tmp_path, 'axisymmetric = "x"', hole=(0, 4)).actuator.read()
+    assert mesh.cavities == ("cavity",) and {"tip", "outside"} <= set(mesh.faces)
+    assert cavity_volume(mesh, "cavity") == pytest.approx(np.pi * 32 * 8**2 * mm**3, rel=1e-6)
+
+
+def test_the_middle_of_a_nine_node_cell_stays() -> None:
+    s, t = np.array([(0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1), (1, 1)]).T
+    points = np.concatenate([np.stack([s + 0.1 * t**2, t + 0.05 * s * t**2], axis=1), [[3.0, 0.0]]])
+    nine = Block(kind=KINDS["quadrilateral9"], nodes=np.arange(9)[None])
+    cells = plane_cells(points, [nine, Block(kind=KINDS["triangle3"], nodes=np.array([[1, 9, 2]]))])
+    assert (cells.quads[:4] == 8).sum() == 4  # a corner of all four parts
+    on = cells.points[cells.quads[0, 4:]]
+    u, v = np.array([(0.5, 0), (1, 0.5), (0.5, 1), (0, 0.5), (0.5, 0.5)]).T
+    assert np.allclose(on, np.stack([u + 0.1 * v**2, v + 0.05 * u * v**2], axis=1))
 
 
 def test_curved_cells_are_cut_on_their_curves() -> None:

@@ -77,7 +77,7 @@ def plane_cells(points: Array, blocks: Sequence[Block]) -> PlaneCells:
     >>> corners = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
     >>> cells = plane_cells(corners, [Block(kind=KINDS["triangle3"], nodes=np.array([[0, 1, 2]]))])
     >>> len(cells.quads), len(cells.points), cells.edges[0, 1]
-    (3, 19, ((0, 13), (13, 1)))
+    (3, 19, ((0, 3), (3, 1)))
     """
     cut = any(block.kind.corners == 3 for block in blocks)
     nodes, start, parts, count = [points], len(points), [], 0
