@@ -11,6 +11,9 @@ if TYPE_CHECKING:
     from turgor.core.meshing.exchange.formats.write_stl import write_stl as write_stl
     from turgor.core.meshing.exchange.node_selectors import ByNodes as ByNodes
     from turgor.core.meshing.exchange.node_selectors import BySides as BySides
+    from turgor.core.meshing.revolved.plane_state import Axisymmetric as Axisymmetric
+    from turgor.core.meshing.revolved.plane_state import PlaneStrain as PlaneStrain
+    from turgor.core.meshing.revolved.read_plane import read_plane_mesh as read_plane_mesh
     from turgor.core.model.write_inp import compressible as compressible
     from turgor.core.model.write_inp import write_inp as write_inp
     from turgor.core.results.files.modes_vtu import write_modes as write_modes

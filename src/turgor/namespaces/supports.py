@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from turgor.core.model.supports import Radial as Radial
     from turgor.core.model.supports import Roller as Roller
     from turgor.core.model.supports import Shift as Shift
+    from turgor.core.model.supports import Slide as Slide
     from turgor.core.model.supports import Support as Support
     from turgor.core.model.supports import Symmetry as Symmetry
 else:

@@ -11,12 +11,13 @@ from turgor.core.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.exchange.node_selectors import ByNodes, BySides
 from turgor.core.meshing.exchange.selectors import Choice
+from turgor.core.meshing.revolved.plane_state import Axisymmetric, PlaneState, PlaneStrain
 from turgor.foundation.errors import TurgorError, near_file, unknown
 from turgor.job.tables.cad import SelectorTable, axes_table, file_axes, selector_table
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Angle, Table, read_table
+from turgor.job.text.quantities import Angle, Length, Table, read_table
 from turgor.units import format_quantity
 
 #: A selector of sides of a mesh.
@@ -76,6 +77,10 @@ class MeshFileTable(Table):
         How far it is moved, after the turn.
     mirror : list of str
         Normals of mirror planes through the origin after the move; the half at positive x, y or z is taken.
+    plane_strain : length
+        Thickness of the part whose section is the plane mesh of the file.
+    axisymmetric : str
+        Axis in the file, x, y or z through its origin, about which its plane mesh is turned.
     """
 
     type: str
@@ -92,6 +97,8 @@ class MeshFileTable(Table):
     turn: dict[str, Angle] | None = Field(default=None, examples=['{ z = "90 deg" }'])
     move: Lengths | None = Field(default=None, examples=['["5 mm", 0, 0]'])
     mirror: list[str] = Field(default_factory=list, examples=['["y"]'])
+    plane_strain: Length | None = Field(default=None, examples=['"10 mm"'])
+    axisymmetric: str | None = Field(default=None, examples=['"y"'])
     sha256: str = ""
 
 
@@ -139,10 +146,19 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | 
             turn=_turn(table.turn),
             move=table.move,
             mirror=tuple(table.mirror),
+            plane=_plane(table),
             sha256=table.sha256,
         ),
         fields=[item.name for item in fields(MeshFile)],
     )
+
+
+def _plane(table: MeshFileTable) -> PlaneState | None:
+    if table.plane_strain is not None and table.axisymmetric is not None:
+        raise TurgorError("plane_strain and axisymmetric exclude each other; a plane mesh stands for one of them.")
+    if table.plane_strain is not None:
+        return PlaneStrain(thickness=table.plane_strain)
+    return None if table.axisymmetric is None else Axisymmetric(axis=table.axisymmetric)
 
 
 def _turn(stated: Mapping[str, float] | None) -> tuple[str, float] | None:
@@ -184,6 +200,11 @@ def mesh_file_table(actuator: MeshFile) -> dict[str, Any]:
         values["move"] = [format_quantity(part, "mm") for part in actuator.move]
     if actuator.mirror:
         values["mirror"] = list(actuator.mirror)
+    match actuator.plane:
+        case PlaneStrain(thickness=thickness):
+            values["plane_strain"] = format_quantity(thickness, "mm")
+        case Axisymmetric(axis=letter):
+            values["axisymmetric"] = letter
     if actuator.cavities:
         values["cavities"] = {name: Path(file).as_posix() for name, file in actuator.cavities.items()}
     return values

@@ -4,23 +4,26 @@ A file in `turgor.core.model.supports` whose class states ``job_texts`` is all t
 """
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from functools import partial
 from typing import Annotated, Any
 
+import numpy as np
 from pydantic import BeforeValidator, Field
 
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.model.history import RAMP
 from turgor.core.model.places import NodesAt
-from turgor.core.model.supports import Displacement, Fixed, Foundation, Roller, Shift, Support
+from turgor.core.model.supports import Displacement, Fixed, Foundation, Roller, Shift, Slide, Support
 from turgor.foundation.registry import Registry, class_of_file
+from turgor.foundation.round_off import ROUND_OFF
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.text.lines import Key
 from turgor.job.text.load_values import Points
 from turgor.job.text.place_table import PLACES, PlaceTable, face_or_set, lacks_faces
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Says, read_table, shown
-from turgor.units import parse_quantity
+from turgor.units import mm, parse_quantity
 
 Bedding = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="contact stiffness"))]
 
@@ -40,7 +43,7 @@ class SupportTable(PlaceTable):
         or an expression in s. By default it rises with the load factor.
     directions : str or list of floats
         Directions in which it is fixed or moved, some of x, y and z; it is free in the others. Or three numbers: the
-        one direction in which it is fixed.
+        one direction in which it is fixed, or along which its displacement points.
     normal_stiffness : float [Pa/m]
         Stiffness per area of springs on which the face is bedded, along its normal.
     tangential_stiffness : float [Pa/m]
@@ -111,7 +114,7 @@ def _of_table(name: str, stated: Mapping[str, Any], geometry: Geometry | None, p
     if table.normal_stiffness is not None or table.tangential_stiffness is not None:
         return _foundation(face, table, key, problems)
     if not isinstance(table.directions, str):
-        return _roller(face, table, key, problems)
+        return _along(face, table, key, problems)
     if table.displacement is None:
         if table.history is not None:
             problems.add((*key, "history"), "it is that of a displacement, which is missing.")
@@ -133,15 +136,24 @@ def _of_table(name: str, stated: Mapping[str, Any], geometry: Geometry | None, p
     return moved
 
 
-def _roller(face: str | NodesAt, table: SupportTable, key: Key, problems: Problems) -> Support | None:
-    """Read a support along one direction that is not x, y or z."""
-    if table.displacement is not None:
+def _along(face: str | NodesAt, table: SupportTable, key: Key, problems: Problems) -> Support | None:
+    """Read a support along one direction that need not be x, y or z, or a move along it."""
+    directions: Any = table.directions
+    if table.displacement is None:
+        return problems.attempt((*key, "directions"), partial(Roller, face, directions))
+    slide = problems.attempt((*key, "directions"), partial(Slide, face, directions, 0.0))
+    if slide is None:
+        return None
+    along, moved = np.array(slide.along) / np.linalg.norm(slide.along), np.array(table.displacement)
+    distance = float(along @ moved)
+    if np.linalg.norm(moved - distance * along) > ROUND_OFF.mesh_digits * np.linalg.norm(moved):
+        listed = ", ".join(f"{part / mm:.6g} mm" for part in distance * along)
         problems.add(
-            (*key, "directions"),
-            "a move along a direction that is not x, y or z has no form; name some of x, y and z.",
+            (*key, "displacement"),
+            f"it does not point along directions, across which the face is free; its part along them is ({listed}).",
         )
         return None
-    return problems.attempt((*key, "directions"), partial(Roller, face, table.directions))
+    return replace(slide, distance=distance)
 
 
 def _foundation(face: str | NodesAt, table: SupportTable, key: Key, problems: Problems) -> Support | None:

@@ -144,13 +144,17 @@ def cavity_parts(at: Drawn, skin: Skin) -> NDArray[np.bool_]:
 def drawn_triangles(mesh: Mesh) -> tuple[Ints, Ints]:
     """Return the outer triangles that lie in no cut, and the number of the region behind each.
 
+    The images in two parallel mirror planes end, and their ends are drawn: images of the plane that is mirrored last.
+
     Of films without a solid these are all, turned so that their normals point out of the cavity.
     """
     triangles = six_node_triangles(outer_triangles(mesh))
     if not len(mesh.cells):
         return triangles[:, [0, 2, 1, 5, 4, 3]], np.zeros(len(triangles), dtype=np.int64)
     count = len(mesh.points)
-    for name in mesh.cut_faces:
+    axes = [axis for axis, _ in mesh.mirror_planes]
+    ends = [name for k, name in enumerate(mesh.symmetry_faces) if axes[k] in axes[:k]]
+    for name in [face for face in mesh.cut_faces if face not in ends]:
         plane = six_node_triangles(mesh.face(name))
         on_plane = np.isin(corner_keys(triangles, count), corner_keys(plane, count))
         triangles = triangles[~on_plane]
@@ -206,6 +210,7 @@ def _nodal_normals(at: Drawn, triangles: Ints, patch: Ints) -> Array:
     normals[turned] = normals[turned] @ turn.T
     for face, plane in zip(at.mesh.symmetry_faces, at.facts.mirrors, strict=True):
         on_plane = np.isin(triangles, at.mesh.face_nodes(face))
+        on_plane &= ~on_plane.all(axis=1, keepdims=True)  # the plane itself is an end
         normals[on_plane, plane.axis] = 0.0  # the surface continues smoothly into its mirror image
     return normals / np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-30)
 

@@ -2,11 +2,12 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import turgor as tg
 from refused import refused
-from turgor.core.model.supports import Displacement, Fixed, NodesAt, Shift
+from turgor.core.model.supports import Displacement, Fixed, NodesAt, Shift, Slide
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 
@@ -133,7 +134,7 @@ def test_forces_on_places_that_cannot_be(tmp_path: Path, load: str, facts: tuple
         ('rim = { near = [0, 0, "5 kPa"] }', ("supports.rim.near", "kPa")),
         ("rim = { box = [[0, 0, 0]] }", ("supports.rim.box",)),
         ("tip = { directions = [1, 0] }", ("supports.tip.directions", "[1.0, 0.0]")),
-        ('tip = { directions = [1, 0, 1], displacement = [0, 0, "1 mm"] }', ("supports.tip.directions", "x, y")),
+        ('tip = { directions = [1, 0, 1], displacement = [0, 0, "1 mm"] }', ("supports.tip.displacement", "0.5 mm")),
         ('tip = "normall"', ("supports.tip", "'normal'")),
         ('tip = { directions = "x" }', ("supports.tip", "displacement")),
     ],
@@ -141,3 +142,21 @@ def test_forces_on_places_that_cannot_be(tmp_path: Path, load: str, facts: tuple
 def test_places_that_cannot_be(tmp_path: Path, support: str, facts: tuple[str, ...]) -> None:
     with refused(*facts):
         read_job(written(tmp_path, support))
+
+
+def test_a_move_along_any_direction_is_read_written_back_and_solved(tmp_path: Path) -> None:
+    job = read_job(written(tmp_path, 'tip = { directions = [3, 0, 4], displacement = ["0.3 mm", 0, "0.4 mm"] }'))
+    (slide,) = (each for each in job.supports if isinstance(each, Slide))
+    assert slide.along == (3, 0, 4) and slide.distance == pytest.approx(0.5e-3)
+    again = tmp_path / "again.toml"
+    again.write_text(lock_text(job, {}), encoding="utf-8")
+    (back,) = (each for each in read_job(again).supports if isinstance(each, Slide))
+    assert back.along == slide.along and back.distance == pytest.approx(slide.distance, rel=1e-12)
+    later = slide.continued(0.5, None)
+    for factor in (0.0, 1.0):
+        assert later.displacement(np.zeros((1, 3)), factor) == pytest.approx(np.array([[0.15e-3, 0, 0.2e-3]]))
+
+
+def test_a_move_across_its_direction_is_refused(tmp_path: Path) -> None:
+    with refused("supports.tip.displacement", "directions", "0.09 mm"):
+        read_job(written(tmp_path, 'tip = { directions = [1, 0, 3], displacement = [0, 0, "0.1 mm"] }'))

@@ -58,15 +58,19 @@ class PrescribedComponents:
 
     def values(self, points: Array, load_factor: float) -> Array:
         """Prescribed components (n + e, 3) [m] of points at rest, at a load factor; zero where none is prescribed."""
-        out = np.zeros_like(points)
+        out, slides = np.zeros_like(points), np.zeros_like(points)
         for nodes, axes, support in self.moving:
-            moved = support.displacement(points[nodes], load_factor)
-            out[nodes[:, None], axes] = np.broadcast_to(moved, (len(nodes), 3))[:, axes]
+            moved = np.broadcast_to(support.displacement(points[nodes], load_factor), (len(nodes), 3))
+            if axes:
+                out[nodes[:, None], axes] = moved[:, axes]
+            else:
+                slides[nodes] = moved
         if not len(self.frames.nodes):
             return out
         moved = np.einsum("ki,ki->k", self.normals, out[self.frames.nodes])
         out = self.frames.to_local(out)
-        # the component along the normal must be zero: the first direction compensates those of the fixed axes
+        # the component along the normal is zero, or that of a slide: the first direction compensates the fixed axes
+        moved = moved - np.einsum("ki,ki->k", self.normals, slides[self.frames.nodes])
         along = np.einsum("ki,ki->k", self.normals, self.frames.axes[:, 0])
         nodes = self.frames.nodes[along != 0]
         out[nodes, 0] = -moved[along != 0] / along[along != 0]
@@ -89,6 +93,8 @@ def prescribed_components(model: Model) -> PrescribedComponents:
     for support in model.supports:
         axes = support.components(model.mesh)
         if not axes:
+            if support.moves and support.normals(model.mesh) is not None:  # along one direction of its own
+                moving.append((support.nodes(model.mesh), axes, support))
             continue
         point = by_point.get(support.place)
         nodes = support.nodes(model.mesh) if point is None else np.array([point.node])
@@ -248,7 +254,7 @@ def _ties(mask: NDArray[np.bool_], turned: Mapping[int, int], sections: tuple[Se
     return MultiPoint(tied, np.concatenate(leaders), np.ones(len(tied)))
 
 
-def radial_normals(model: Model) -> tuple[Ints, Array]:
+def radial_normals(model: Model, *, moved: bool = True) -> tuple[Ints, Array]:
     """Find the nodes (k,) that are fixed along normals, such as a fixed radius, and these normals (k, 3) at rest.
 
     A node stands there once for each of its normals.
@@ -256,6 +262,8 @@ def radial_normals(model: Model) -> tuple[Ints, Array]:
     Parameters
     ----------
     model : Model
+    moved : bool
+        Whether those count along which a `Slide` moves them.
 
     Returns
     -------
@@ -263,7 +271,7 @@ def radial_normals(model: Model) -> tuple[Ints, Array]:
     """
     rows: list[tuple[int, Array]] = []
     normals_at: dict[int, list[Array]] = {}
-    for support in model.supports:
+    for support in (each for each in model.supports if moved or not each.moves):
         nodes, normals = support.normals(model.mesh) or NO_NORMALS
         for node, normal in zip(nodes.tolist(), normals, strict=True):
             known = normals_at.setdefault(node, [])

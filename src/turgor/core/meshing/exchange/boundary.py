@@ -1,6 +1,6 @@
 """The boundary of imported cells: its sides, its connected parts, and which of them close a cavity."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -26,12 +26,15 @@ class Sides:
         Nodes of each side, normals pointing out of its cell; of two equal sides the one of the earlier cell.
     outer : (s,) bool array
         Whether no other cell shares it.
+    on_axis : (a,) int array
+        Nodes around the pinhole of a revolved mesh, where a surface may end.
     """
 
     points: Array
     kind: CellType
     nodes: Ints
     outer: np.ndarray
+    on_axis: Ints = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
 
     @property
     def corners(self) -> Ints:
@@ -156,10 +159,10 @@ def _edges(sides: Sides, rows: Ints) -> tuple[Ints, Ints]:
 
 
 def rim(sides: Sides, rows: Ints) -> Ints:
-    """Edges (e, 2) that belong to one of the sides only."""
+    """Edges (e, 2) that belong to one of the sides only, but for those around the pinhole of a revolved mesh."""
     edges, _ = _edges(sides, rows)
     unique, count = np.unique(edges, axis=0, return_counts=True)
-    return np.asarray(unique[count == 1])
+    return np.asarray(unique[(count == 1) & ~np.isin(unique, sides.on_axis).all(axis=1)])
 
 
 def enclosed_volume(sides: Sides, rows: Ints, origin: Array) -> float:

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from hashlib import sha256
+from math import pi, sin
 from pathlib import Path
 
 import numpy as np
@@ -15,10 +16,14 @@ from turgor.core.meshing.cells import six_node_triangles
 from turgor.core.meshing.exchange.formats.raw import Ints
 from turgor.core.meshing.exchange.selectors import Choice
 from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.revolved.plane_state import PlaneState
 from turgor.core.meshing.surface import outer_triangles
 from turgor.foundation.errors import TurgorError
 
 Corner = tuple[float, float, float]
+
+#: Share of a quarter of a circle that its two flat sides enclose.
+FLAT_QUARTER = sin(pi / 4) / (pi / 4)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,6 +67,8 @@ class MeshFile:
         How far it is moved, after the turn.
     mirror : tuple of str
         Normals of mirror planes through the origin, after the move: the half at positive x, y or z is taken.
+    plane : PlaneStrain or Axisymmetric, optional
+        What a plane mesh stands for; None for a volume mesh.
     sha256 : str
         Content of the file that is meant, as a lock file notes it; taken from the file where it is empty.
 
@@ -86,9 +93,13 @@ class MeshFile:
     turn: tuple[str, float] | None = None
     move: Corner | None = None
     mirror: tuple[str, ...] = ()
+    plane: PlaneState | None = None
     sha256: str = ""
 
     def __post_init__(self) -> None:
+        without = [name for name in ("cavities", "turn", "mirror") if self.plane is not None and getattr(self, name)]
+        if without:
+            raise TurgorError(f"{without[0]} is for volume meshes; a plane mesh is cut where its file is made.")
         if not Path(self.file).is_file():
             raise TurgorError(f"file is {self.file}, and there is no such file.")
         checksum = sha256(Path(self.file).read_bytes()).hexdigest()
@@ -109,15 +120,22 @@ class MeshFile:
         )
 
         surface = Path(self.file).suffix.lower() == ".stl"
-        reader: Callable[..., Mesh] = mesh_surfaces if surface else read_mesh
-        mesh = reader(
-            self.file,
-            unit=self.unit,
-            regions=self.regions,
-            faces=self.faces,
-            cavities=self.cavities,
-            axes=self.axes,
-        )
+        if self.plane is not None:
+            from turgor.core.meshing.revolved.read_plane import read_plane_mesh  # here: as the readers above
+
+            mesh = read_plane_mesh(
+                self.file, self.plane, unit=self.unit, regions=self.regions, faces=self.faces, axes=self.axes
+            )
+        else:
+            reader: Callable[..., Mesh] = mesh_surfaces if surface else read_mesh
+            mesh = reader(
+                self.file,
+                unit=self.unit,
+                regions=self.regions,
+                faces=self.faces,
+                cavities=self.cavities,
+                axes=self.axes,
+            )
         if self.turn is not None or self.move is not None:
             axis, angle = self.turn or ("z", 0.0)
             mesh = placed(mesh, shift=self.move or (0.0, 0.0, 0.0), axis=AXES[axis], angle=angle)
@@ -143,14 +161,19 @@ class MeshFile:
 
 
 def _enclosed(mesh: Mesh, sides: Ints) -> float:
-    """Volume behind flat sides [m³], seen from a point on all mirror planes."""
-    origin = mesh.points.mean(axis=0)
-    for name in mesh.symmetry_faces:
-        plane = mesh.points[mesh.face_nodes(name)]
-        axis = int(np.ptp(plane, axis=0).argmin())
-        origin[axis] = plane[:, axis].mean()
+    """Volume behind flat sides [m³], seen from a point on all mirror planes.
+
+    Between two parallel mirror planes, components across them do not count: no point is on both.
+    """
+    origin, planes = mesh.points.mean(axis=0), np.zeros(3, dtype=np.int64)
+    for axis, level in mesh.mirror_planes:
+        origin[axis] = level
+        planes[axis] += 1
+    along = planes < 2
     p = mesh.points[sides[:, : mesh.cell_type.side.corners]] - origin
     first, second = (
         (p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]) if p.shape[1] == 4 else (p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
     )
-    return float(np.einsum("fi,fi->", p.mean(axis=1), np.cross(first, second)) / 6)
+    normals = np.cross(first, second) / 2
+    flat = 1.0 if not mesh.revolved else FLAT_QUARTER
+    return float((p.mean(axis=1) * normals)[:, along].sum() / along.sum()) / flat

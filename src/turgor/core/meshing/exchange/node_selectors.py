@@ -156,7 +156,7 @@ def numbered_sides(
             )
         order = np.argsort(known, kind="stable")
         if isinstance(each, ByNodes):
-            members = renumbered[order[np.searchsorted(known[order], each.numbers)]]
+            members = renumbered[np.flatnonzero(np.isin(known, each.numbers))]  # several of a section that was moved
             rows = rows[np.isin(sides.corners[rows], members[members >= 0]).all(axis=1)]
         else:
             count = sides.kind.side.corners

@@ -23,7 +23,7 @@ from turgor.core.meshing.exchange.selectors import Choice
 from turgor.core.meshing.exchange.settings import MESH_FILE
 from turgor.core.meshing.exchange.solids import Solids, place_of, read_solids
 from turgor.core.meshing.exchange.splitting import as_tetrahedra, needs_tetrahedra
-from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.mesh import PINHOLE, Mesh
 from turgor.core.meshing.quality.cell_quality import refuse_inverted
 from turgor.foundation.errors import TurgorError, near_file, near_match
 from turgor.foundation.finding import Finding, Severity
@@ -86,12 +86,17 @@ def read_mesh(
         If the file cannot be read, has no cells that can be solved on, cells turned inside out, or an unlikely size.
     """
     file = Path(path)
+    raw, frame = read_in(file, unit, axes)
+    mesh = named_mesh(raw, Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame))
+    return with_unit_checked(mesh, file, stated=bool(unit or raw.unit))
+
+
+def read_in(file: Path, unit: str | float | None, axes: FileAxes) -> tuple[RawMesh, Frame]:
+    """Read the content of a file of any format, and its unit and axes."""
     if unit is not None:
         Frame(unit=unit, axes=axes)  # what is wrong with these is reported before the file is read
     raw = _read(file)
-    frame = Frame(unit=unit or raw.unit or DEFAULT_UNIT, axes=axes)
-    mesh = named_mesh(raw, Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame))
-    return with_unit_checked(mesh, file, stated=bool(unit or raw.unit))
+    return raw, Frame(unit=unit or raw.unit or DEFAULT_UNIT, axes=axes)
 
 
 def with_unit_checked(mesh: Mesh, file: Path, stated: bool) -> Mesh:
@@ -121,6 +126,8 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
     solids = read_solids(raw, wishes.frame)
     solids.done[:0] = done
     sides = sides_of(solids)
+    if raw.revolved:
+        sides = _without_pinhole(sides, raw.revolved)
     region_cells, notes = name_regions(raw, solids, wishes)
     face_sides, more = name_faces(raw, solids, sides, wishes)
     more += _put_on_planes(raw.path, solids.points, sides, face_sides)
@@ -131,11 +138,19 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
         faces={face: sides.nodes[rows] for face, rows in face_sides.items()},
         name=raw.path.stem,
         node_sets=sets_of_file(raw, solids, whole_faces(raw, solids, sides, face_sides)),
+        revolved=raw.revolved,
     )
     if solids.kind is TETRAHEDRON:
         refuse_inverted(mesh, f"repair '{raw.path.name}' where it was made, or export cells of first order")
     findings = (*_mended(raw.path, solids), *_overlapping(raw.path, solids), *_straight(raw, sides), *notes, *more)
     return replace(mesh, findings=findings)
+
+
+def _without_pinhole(sides: Sides, axis: str) -> Sides:
+    """The sides of a revolved mesh about an axis through the origin; those around its pinhole bound nothing."""
+    radius = np.hypot(*np.delete(sides.points, "xyz".index(axis), axis=1).T)
+    near = radius <= 2 * PINHOLE * radius.max()
+    return replace(sides, outer=sides.outer & ~near[sides.nodes].all(axis=1), on_axis=np.flatnonzero(near))
 
 
 def _read(file: Path) -> RawMesh:

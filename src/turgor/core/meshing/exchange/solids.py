@@ -87,8 +87,9 @@ def _gathered(raw: RawMesh, frame: Frame) -> Solids:
     blocks = raw.solids()
     if not blocks:
         other = ", ".join(f"{len(block.nodes)} {block.kind.name}" for block in raw.blocks)
+        plane = ", or read a plane mesh as plane strain or axisymmetric" if other else ""
         what = f"no solid cells, only {other}" if other else "no cells"
-        raise TurgorError(f"'{raw.path}' has {what}; export the volume mesh.")
+        raise TurgorError(f"'{raw.path}' has {what}; export the volume mesh{plane}.")
     cells = np.concatenate([block.nodes for block in blocks])
     groups: dict[str, list[Ints]] = {}
     start = 0

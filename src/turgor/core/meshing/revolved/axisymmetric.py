@@ -69,14 +69,24 @@ def _off_axis(section: SectionMesh) -> SectionMesh:
 
 def rounded(mesh: Mesh) -> Mesh:
     """Stretch a quarter across its axis so that its parabolas enclose the area of the circles through their ends."""
+    return replace(mesh, points=mesh.points * np.array([1.0, roundness(), roundness()]))
+
+
+def roundness() -> float:
+    """By how much the nodes around a quarter must lie outside of a circle to enclose its area.
+
+    Examples
+    --------
+    >>> round(roundness(), 6)
+    1.000389
+    """
     angle = pi / 2 / AROUND
     ends = np.array([[1.0, 0.0], [np.cos(angle / 2), np.sin(angle / 2)], [np.cos(angle), np.sin(angle)]])
     a, m, b = ends
     # the area between a parabola and its chord is two thirds of the box around it
     chord = (a[0] * b[1] - a[1] * b[0]) / 2
     sag = np.linalg.norm(m - (a + b) / 2) * np.linalg.norm(b - a) * 2 / 3
-    stretch = np.sqrt(angle / 2 / (chord + sag))
-    return replace(mesh, points=mesh.points * np.array([1.0, stretch, stretch]))
+    return float(np.sqrt(angle / 2 / (chord + sag)))
 
 
 def _named(mesh: Mesh, meridian: Meridian) -> dict[str, Ints]:

@@ -8,5 +8,6 @@ from turgor.core.model.supports.foundation import Foundation as Foundation
 from turgor.core.model.supports.plane_section import PlaneSection as PlaneSection
 from turgor.core.model.supports.radial import Radial as Radial
 from turgor.core.model.supports.roller import Roller as Roller
+from turgor.core.model.supports.slide import Slide as Slide
 from turgor.core.model.supports.support import Support as Support
 from turgor.core.model.supports.symmetry import Symmetry as Symmetry

@@ -322,7 +322,7 @@ def _reaction(at: StateFields) -> float:
             nodes = support.nodes(at.mesh)
             for direction in directions:
                 fixed[nodes, "xyz".index(direction)] = True
-    nodes, across = across_fixed(*radial_normals(at.model), fixed)
+    nodes, across = across_fixed(*radial_normals(at.model, moved=False), fixed)
     if not fixed.any() and not len(nodes) and not any(any(support.bedding) for support in at.model.supports):
         raise TurgorError("the model has no support Fixed, Radial, Roller or Foundation whose force could be summed.")
     force = np.where(fixed, at.state.nodal_force, 0.0)

@@ -19,6 +19,8 @@ _SOLIDS = {4: "tetrahedron4", 10: "tetrahedron10", 8: "hexahedron8", 20: "hexahe
 }
 _SHEETS = {3: "triangle3", 6: "triangle6", 4: "quadrilateral4", 8: "quadrilateral8", 9: "quadrilateral9"}
 
+_PLANE = ("CPE", "CPS", "CAX")
+
 _TYPE = re.compile(r"(D?C3D|AC3D|S|M3D|SFM3D|R3D|STRI|DS|CPS|CPE|CAX)(\d+)")
 
 
@@ -50,6 +52,7 @@ class Content:
     sections: list[str] = field(default_factory=list)
     unread: list[str] = field(default_factory=list)
     omitted: list[str] = field(default_factory=list)
+    plane: set[int] = field(default_factory=set)
 
 
 def read_abaqus(path: Path) -> RawMesh:
@@ -151,6 +154,8 @@ def _take_cells(content: Content, keyword: Keyword) -> None:
         raise TurgorError(f"'{content.path}': cells of type {name} need {width} numbers each; some lines are short.")
     for start in range(0, len(values), width):
         content.cells[kind].append(values[start : start + width])
+        if name.startswith(_PLANE):
+            content.plane.add(values[start])
         if "elset" in keyword.given:
             content.cell_sets[keyword.given["elset"]].append(values[start])
 
@@ -230,7 +235,7 @@ def _mesh(content: Content) -> RawMesh:
     node_sets = NumberSets(content.node_sets, ids, "node", content.omitted)
     cell_sets = NumberSets(content.cell_sets, numbered, "" if content.unread else "cell", content.omitted)
     members = {name: numbered[rows] for name, rows in cell_sets.all().items()}
-    blocks, corners = [], CellTable()
+    blocks, corners = [], CellTable(plane=content.plane)
     for kind, table in tables.items():
         nodes = rows_of(table[:, 1:], ids, content.path, "node")
         corners.add(KINDS[kind].dimension, table[:, 0], nodes[:, : KINDS[kind].corners])

@@ -91,9 +91,13 @@ class NumberSets:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CellTable:
-    """Corners of the cells of a file by their numbers, and their dimension: 3 for solids, 2 for shells."""
+    """Corners of the cells of a file by their numbers, and their dimension: 3 for solids, 2 for shells.
+
+    ``plane`` are cells of plane and axisymmetric states, whose sides S1, S2, … are edges.
+    """
 
     corners: dict[int, tuple[int, Ints]] = field(default_factory=dict)
+    plane: set[int] = field(default_factory=set)
 
     def add(self, dimension: int, numbers: Ints, corners: Ints) -> None:
         """Add cells (c,) with their corners (c, k)."""
@@ -104,6 +108,11 @@ class CellTable:
         if number not in self.corners:
             return None, "on cells that are not read"
         dimension, corners = self.corners[number]
+        if number in self.plane:
+            place = int(label[1:]) - 1 if re.fullmatch(r"[SP]\d", label) else -1
+            if not 0 <= place < len(corners):
+                return None, f"'{label}' of plane cells"
+            return corners[[place, (place + 1) % len(corners)]], ""
         if dimension == 2:
             return (corners, "") if label in SHEET_SIDES else (None, f"'{label}' of shells")
         sides = SIDES.get(len(corners), ())
@@ -133,7 +142,7 @@ def surface_sides(
     Returns
     -------
     (s, 4) int array
-        -1 in the last place of triangles.
+        -1 in the last place of triangles, and in the last two of edges.
     """
     sides_of_set, why = [], Counter[str]()
     for where, label in parts:
@@ -146,6 +155,6 @@ def surface_sides(
             if side is None:
                 why[reason] += 1
             else:
-                sides_of_set.append([*side, -1][:4])
+                sides_of_set.append([*side, -1, -1][:4])
     omitted += [f"{count} sides of surface '{name}' {reason}" for reason, count in why.items()]
     return np.array(sides_of_set, dtype=np.int64).reshape(-1, 4)

@@ -93,7 +93,7 @@ class RawMesh:
     node_sets : mapping of str to (k,) int array
         Rows of ``points`` in each named set.
     surfaces : mapping of str to (s, 4) int array
-        Corners of the sides of cells in each named surface, -1 in the last place of triangles.
+        Corners of the sides of cells in each named surface, -1 in the last place of triangles and in two of edges.
     sections : tuple of str
         Groups that the file gives a material, which together hold every cell once.
     named : bool
@@ -104,6 +104,8 @@ class RawMesh:
         What of the file was not understood or is not needed, one clause each.
     node_numbers : (n,) int array, optional
         Number in the file of each of ``points``; None where the file has none, and nodes count from 0.
+    revolved : str
+        As for `Mesh`, where plane cells were turned about an axis.
     """
 
     path: Path
@@ -116,6 +118,7 @@ class RawMesh:
     unit: str = ""
     omitted: tuple[str, ...] = ()
     node_numbers: Ints | None = None
+    revolved: str = ""
 
     def solids(self) -> tuple[Block, ...]:
         """The blocks of solid cells."""
