@@ -165,18 +165,24 @@ class Trainer:
         tangent.factor(at)
         drive = drive_of(system, self.model_at, self.inputs)
         position = system.configuration(at).position
+        # one face each: the system joins faces of the same pressure, whose inputs may differ
+        pressed = np.array([_unit_forces(system, face, position) for face in drive.faces]).reshape(-1, *position.shape)
         rows = []
         for k, width in enumerate(self.inputs.high - self.inputs.low, start=1):
             force = drive.forces[:, k].reshape(-1, 3).copy()
-            for term in system.terms.all:
-                if isinstance(term, PressureTerm) and term.load is not None:
-                    force += drive.pressures[drive.faces.index(term.load.face)][k] * term.unit_forces(position)
+            force += np.tensordot(drive.pressures[:, k], pressed, axes=1)
             for part, gaps in zip(system.contact.parts, at.contacts.gaps, strict=True):
                 if part.obstacle is not None:
                     force -= _by_place(part, position, gaps, drive.places[part.name].by_inputs[:, k])
             rate = tangent.solve(system.joined(force) * width)
             rows.append(np.where(system.prescribed, 0.0, rate))
         return np.array(rows)
+
+
+def _unit_forces(system: System, face: str, position: Array) -> Array:
+    """External forces (n, 3) of a scaled pressure of one on a face."""
+    sides = system.model.mesh.carrying_sides(face)
+    return PressureTerm(sides, None, -1, system.stress_scale, potential=True).unit_forces(position)
 
 
 def _by_place(part: PairPart | ShapePart, position: Array, gaps: Gaps, way: Array) -> Array:
