@@ -32,7 +32,8 @@ class LinearSolverSettings:
         be below: ten cost less than factors in double precision.
     accelerated_from, accelerated : int
         From so many unknowns on GMRES refines where that is not so, in so many iterations at most. A solution costs a
-        thirtieth of the factors there; at 35,000 unknowns it costs a twentieth, and the demo took a tenth longer so.
+        thirtieth of the factors from 43,000 unknowns on; at 35,000 of tetrahedra it costs a twentieth, and the demo
+        took a tenth longer so.
     many_prescribed : float
         Share of prescribed unknowns from which they are left out of the factorization: in an axisymmetric mesh, most
         are.
