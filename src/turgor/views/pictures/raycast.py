@@ -176,7 +176,7 @@ class Scene:
 
 
 @njit(**LOOP)
-def _draw(places, triangles, triangle, depth, shares):
+def _draw(places, triangles, triangle, depth, shares):  # type: ignore[no-untyped-def]
     """Draw triangles with corners at ``places`` (column, row, depth) of samples, the nearest in front."""
     rows, columns = triangle.shape
     for t in range(len(triangles)):
@@ -200,7 +200,7 @@ def _draw(places, triangles, triangle, depth, shares):
 
 
 @njit(**INNER)
-def _limits(first, second, third, count):
+def _limits(first, second, third, count):  # type: ignore[no-untyped-def]
     """Numbers of the samples from the smallest to the largest of three corners, relative to the first one."""
     low, high = min(0.0, min(second, third)), max(0.0, max(second, third))
     return int(min(max(first + low, 0.0), count)), int(min(max(first + high + 1.0, 0.0), count))

@@ -67,7 +67,7 @@ def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
 
 
 @njit(**LOOP)
-def _shade(image, triangle, shares, skin, look):
+def _shade(image, triangle, shares, skin, look):  # type: ignore[no-untyped-def]
     """Color the samples that hit a triangle."""
     (corners, fields), (table, levels, directions, numbers) = skin, look
     floor, scale, lamp, shadow = numbers[0], numbers[1], numbers[2], numbers[3]
