@@ -41,8 +41,7 @@ def joined(a: Skin, b: Skin) -> Skin:
 
 
 def look(skin, raster, eye=EYE):
-    scene = Scene(skin, eye)
-    return scene.look(raster, scene.near(raster))
+    return Scene(skin, eye).look(raster)
 
 
 @pytest.fixture(scope="module")
@@ -93,23 +92,28 @@ def test_the_nearer_hides_the_farther():
     assert set(hits.triangle[:10].ravel()) == {0, 1}
 
 
-def test_tiles_without_triangles_are_skipped_and_nothing_else(bent):
-    at = StateFields(bent)
-    scene = Scene(visible_skin(at, at.von_mises), camera(20 * deg, 18 * deg))
-    raster = Raster(left=-0.02, top=0.04, step=0.0005, rows=160, columns=160)
-    near = scene.near(raster)
-    some, all_of_it = scene.look(raster, near), scene.look(raster, np.ones_like(near))
-    np.testing.assert_array_equal(some.triangle, all_of_it.triangle)
-    assert near.mean() < 0.8
-
-
-def test_a_triangle_is_seen_in_a_tile_that_holds_none_of_its_corners():
-    """Tiles are 60 samples, 30 mm: the slanted side of this triangle crosses the upper left one."""
+def test_a_triangle_larger_than_the_picture_fills_its_part():
     half = replace(square(0.03), triangles=np.array([[0, 1, 2]]), patch=np.zeros(1, dtype=np.int64))
-    scene = Scene(half, EYE)
     raster = Raster(left=-0.005, top=0.035, step=0.0005, rows=120, columns=120)
-    seen = scene.look(raster, scene.near(raster)).triangle[:60, :60] >= 0
+    seen = look(half, raster).triangle[:60, :60] >= 0
     assert seen.sum() * raster.step**2 == pytest.approx(0.02**2 / 2, rel=0.05)
+
+
+def test_triangles_leave_no_gap_between_them(bent):
+    """Inside the outline of a body every sample has a triangle, and its place is that of the sample."""
+    at = StateFields(bent)
+    skin, eye = visible_skin(at, at.von_mises), camera(20 * deg, 18 * deg)
+    raster = Raster(left=-0.02, top=0.04, step=0.0005, rows=160, columns=160)
+    hits = look(skin, raster, eye)
+    hit = hits.triangle >= 0
+    around = [np.roll(hit, shift, axis) for shift in (-1, 1) for axis in (0, 1)]
+    assert not (~hit & np.all(around, axis=0)).any()
+    corners = skin.points[skin.triangles[hits.triangle[hit]]]
+    weights = np.stack([1 - hits.u - hits.v, hits.u, hits.v], axis=1)
+    flat = eye.project(np.einsum("sa,sai->si", weights, corners))
+    rows, columns = np.nonzero(hit)
+    np.testing.assert_allclose(flat[:, 0], raster.left + (columns + 0.5) * raster.step, atol=1e-7)
+    np.testing.assert_allclose(flat[:, 1], raster.top - (rows + 0.5) * raster.step, atol=1e-7)
 
 
 def test_openness_of_a_plane_and_under_a_roof():

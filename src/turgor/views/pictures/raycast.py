@@ -1,6 +1,8 @@
-"""Ray casting with parallel rays: the visible triangle in each sample of a picture, and ambient occlusion.
+"""Hidden surfaces in a parallel projection: the visible triangle in each sample of a picture, and ambient occlusion.
 
-Embree runs on any machine; VTK would need a graphics library, which servers and containers often lack.
+All rays of a picture are parallel, so triangles are drawn one after another into a buffer of depths; that takes a
+tenth of the time of rays. Embree casts those of the sky. Both run on any machine; VTK would need a graphics library,
+which servers and containers often lack.
 """
 
 from dataclasses import dataclass
@@ -9,12 +11,17 @@ from typing import Any
 import numpy as np
 from embreex.mesh_construction import TriangleMesh
 from embreex.rtcore_scene import EmbreeScene
+from numba import njit
 from numpy.typing import NDArray
 
+from turgor.core.engine.compiled import INNER, LOOP
 from turgor.views.pictures.settings import RENDERING
 from turgor.views.pictures.skin import Skin
 
 Array = NDArray[np.float64]
+
+#: Share of a triangle by which it reaches beyond its edges, so that round-off leaves no gap between two of them.
+EDGE = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -80,7 +87,7 @@ class Raster:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Hits:
-    """First hit of the ray of each sample.
+    """First triangle behind the center of each sample.
 
     Parameters
     ----------
@@ -105,28 +112,27 @@ class Scene:
         self.skin, self.eye = skin, eye
         self._center = (skin.points.min(axis=0) + skin.points.max(axis=0)) / 2
         self._size = float(np.ptp(skin.points, axis=0).max()) or 1.0
+        self._flat = eye.project(skin.points)
+        self._flat[:, 2] += 2 * self._size - self._center @ eye.forward
+        self._triangles = np.ascontiguousarray(skin.triangles, dtype=np.int64)
         self._scene: Any = EmbreeScene()
         TriangleMesh(self._scene, self._scaled(skin.points), np.ascontiguousarray(skin.triangles, dtype=np.int32))
 
     def _scaled(self, points: Array) -> NDArray[np.float32]:
         return np.ascontiguousarray((points - self._center) / self._size, dtype=np.float32)
 
-    def look(self, raster: Raster, near: NDArray[np.bool_]) -> Hits:
-        """Cast a ray through the center of each sample that a triangle may cover (see `near`)."""
-        rows, columns = np.nonzero(near)
-        across = (raster.left + (columns + 0.5) * raster.step - self._center @ self.eye.right) / self._size
-        upward = (raster.top - (rows + 0.5) * raster.step - self._center @ self.eye.up) / self._size
-        origins = np.empty((len(rows), 3), dtype=np.float32)
-        for i in range(3):
-            origins[:, i] = across * self.eye.right[i] + upward * self.eye.up[i] - 2 * self.eye.forward[i]
-        directions = np.tile(self.eye.forward.astype(np.float32), (len(origins), 1))
-        intersections = self._scene.run(origins, directions, query="INTERSECT", output=True)
+    def look(self, raster: Raster) -> Hits:
+        """Find the first triangle behind the center of each sample."""
+        places = self._flat.copy()
+        places[:, 0] = (places[:, 0] - raster.left) / raster.step - 0.5
+        places[:, 1] = (raster.top - places[:, 1]) / raster.step - 0.5
         triangle = np.full((raster.rows, raster.columns), -1, dtype=np.int32)
-        depth = np.zeros(triangle.shape, dtype=np.float32)
-        hit = intersections["primID"] >= 0
-        triangle[near] = intersections["primID"]
-        depth[near] = np.where(hit, intersections["tfar"], 0) * np.float32(self._size)
-        return Hits(triangle=triangle, depth=depth, u=intersections["u"][hit], v=intersections["v"][hit])
+        depth = np.full(triangle.shape, np.inf)
+        shares = np.empty((*triangle.shape, 2), dtype=np.float32)
+        _draw(places, self._triangles, triangle, depth, shares)
+        hit = triangle >= 0
+        u, v = shares[hit].T
+        return Hits(triangle=triangle, depth=np.where(hit, depth, 0).astype(np.float32), u=u, v=v)
 
     def depth(self, points: Array) -> Array:
         """Return the distance of points along the view, (p,) [m], to compare with ``depth`` of `Hits`."""
@@ -140,21 +146,6 @@ class Scene:
     def size(self) -> float:
         """Longest side of the bounding box of the skin [m]."""
         return self._size
-
-    def near(self, raster: Raster) -> NDArray[np.bool_]:
-        """Return the samples that a triangle may cover, (rows, columns), tile by tile; the others need no ray."""
-        flat = self.eye.project(self.skin.points)[:, :2][self.skin.triangles]
-        tile = max(1, int(np.ceil(np.ptp(flat, axis=1).max() / raster.step)))
-        down, aside = -(-raster.rows // tile), -(-raster.columns // tile)
-        corners = flat.reshape(-1, 2)
-        column = np.floor((corners[:, 0] - raster.left) / raster.step / tile).astype(int)
-        row = np.floor((raster.top - corners[:, 1]) / raster.step / tile).astype(int)
-        near = np.zeros((down + 2, aside + 2), dtype=bool)
-        for i in (0, 1, 2):  # a triangle is no larger than a tile, so it covers only tiles next to those of its corners
-            for j in (0, 1, 2):
-                near[np.clip(row + i, 0, down + 1), np.clip(column + j, 0, aside + 1)] = True
-        near = np.repeat(np.repeat(near[1:-1, 1:-1], tile, axis=0), tile, axis=1)
-        return near[: raster.rows, : raster.columns]
 
     def openness(self, reach: float) -> Array:
         """Return the ambient occlusion: the free share of the sky above each point within ``reach`` [m], (p,).
@@ -182,6 +173,37 @@ class Scene:
             direction = (x * tangent + y * second + z * normals).astype(np.float32)
             hidden += self._scene.run(origins, direction, dists=limit, query="OCCLUDED") >= 0
         return 1 - hidden / RENDERING.sky_rays
+
+
+@njit(**LOOP)
+def _draw(places, triangles, triangle, depth, shares):  # type: ignore[no-untyped-def]
+    """Draw triangles with corners at ``places`` (column, row, depth) of samples, the nearest in front."""
+    rows, columns = triangle.shape
+    for t in range(len(triangles)):
+        first, second, third = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        ax, ay, az = places[first, 0], places[first, 1], places[first, 2]
+        bx, by, bz = places[second, 0] - ax, places[second, 1] - ay, places[second, 2] - az
+        cx, cy, cz = places[third, 0] - ax, places[third, 1] - ay, places[third, 2] - az
+        area = bx * cy - by * cx
+        if area == 0:
+            continue
+        top, bottom = _limits(ay, by, cy, rows)
+        left, right = _limits(ax, bx, cx, columns)
+        for row in range(top, bottom):
+            for column in range(left, right):
+                x, y = column - ax, row - ay
+                u, v = (x * cy - y * cx) / area, (bx * y - by * x) / area
+                z = az + u * bz + v * cz
+                if u >= -EDGE and v >= -EDGE and u + v <= 1 + EDGE and z < depth[row, column]:
+                    depth[row, column], triangle[row, column] = z, t
+                    shares[row, column, 0], shares[row, column, 1] = u, v
+
+
+@njit(**INNER)
+def _limits(first, second, third, count):  # type: ignore[no-untyped-def]
+    """Numbers of the samples from the smallest to the largest of three corners, relative to the first one."""
+    low, high = min(0.0, min(second, third)), max(0.0, max(second, third))
+    return int(min(max(first + low, 0.0), count)), int(min(max(first + high + 1.0, 0.0), count))
 
 
 def _both(skin: Skin) -> tuple[Array, Array]:

@@ -175,40 +175,33 @@ def render(
         left=view.edge, top=float(high[1] + low[1] + rows * view.pixel) / 2,
         step=view.pixel / SAMPLES, rows=rows * SAMPLES, columns=view.columns * SAMPLES,
     )  # fmt: skip
-    layers = _Layers(skins, view, colors, overlays, raster)
+    layers = _Layers(skins, view, colors, overlays)
     image = np.empty((rows, view.columns, 3), dtype=np.uint8)
     for start in range(0, rows, RENDERING.rows):  # rendered in bands to save memory; lines need the rows next to a band
         first, last = max(start - 2, 0), min(start + RENDERING.rows + 2, rows)
-        samples = slice(first * SAMPLES, last * SAMPLES)
-        drawn = reduced(layers.draw(raster.band(samples.start, samples.stop), samples), SAMPLES)
+        drawn = reduced(layers.draw(raster.band(first * SAMPLES, last * SAMPLES)), SAMPLES)
         image[start : start + RENDERING.rows] = drawn[start - first : start - first + RENDERING.rows]
     return image
 
 
 class _Layer(NamedTuple):
-    """A skin in front of the camera, the samples that it may cover, and its light."""
+    """A skin in front of the camera, and its light."""
 
     scene: Scene
-    near: NDArray[np.bool_]
     look: Look | None = None
-
-    def hits(self, band: Raster, rows: slice) -> Hits:
-        return self.scene.look(band, self.near[rows])
 
 
 class _Layers:
     """All that a picture shows, in front of the camera of a view."""
 
-    def __init__(
-        self, skins: list[Skin], view: View, colors: Colormap | None, overlays: Overlays, raster: Raster
-    ) -> None:
+    def __init__(self, skins: list[Skin], view: View, colors: Colormap | None, overlays: Overlays) -> None:
         reach = RENDERING.sky_reach * float(np.ptp(skins[0].points, axis=0).max())
 
         def layer(skin: Skin, lit: Colormap | None = None, shadow: float = LOOK.shadow) -> _Layer:
             scene = Scene(skin, view.eye)
             sky = None if lit is None else scene.openness(reach)
             look = None if lit is None or sky is None else Look(lit, view.limit, sky, view.floor, shadow)
-            return _Layer(scene, scene.near(raster), look)
+            return _Layer(scene, look)
 
         self._view, self._overlays = view, overlays
         plain = colors or (plain_rubber() if overlays.inside is not None else None)
@@ -222,13 +215,13 @@ class _Layers:
         side = skins[0].side
         self._cells = replace(skins[0], patch=side) if overlays.edges and side is not None else None
 
-    def draw(self, band: Raster, rows: slice) -> Bytes:
+    def draw(self, band: Raster) -> Bytes:
         """Draw a band of the picture, (h, w, 3)."""
-        front, hits = self._front.scene, self._front.hits(band, rows)
-        image, lines = self._painted(hits, band, rows)
+        front, hits = self._front.scene, self._front.scene.look(band)
+        image, lines = self._painted(hits, band)
         free = hits.triangle < 0
-        for scene, near, _ in self._ghosts:
-            coarse = find_lines(scene.skin, scene.look(band.coarser(SAMPLES), near[rows][::SAMPLES, ::SAMPLES]))
+        for scene, _ in self._ghosts:
+            coarse = find_lines(scene.skin, scene.look(band.coarser(SAMPLES)))
             outline, inner = (mask.repeat(SAMPLES, axis=0).repeat(SAMPLES, axis=1) & free for mask in coarse)
             draw_lines(image, (outline, inner), GHOST, 0.0)  # one pixel wide already
         draw_lines(image, lines, INK, 0.9 * SAMPLES)
@@ -237,14 +230,14 @@ class _Layers:
         draw_threads(image, threads, (2.4 if tense else 1.6) * SAMPLES, self._of_tension if tense else None)
         distance = np.where(free, np.inf, front.distance(hits))
         if self._obstacles is not None:
-            scene, obstacle = self._obstacles.scene, self._obstacles.hits(band, rows)
+            scene, obstacle = self._obstacles.scene, self._obstacles.scene.look(band)
             nearer = (obstacle.triangle >= 0) & (scene.distance(obstacle) < distance)
             draw_obstacles(image, scene.skin, obstacle, nearer, self._view.eye, 0.8 * SAMPLES)
         if self._patches:
-            self._draw_patches(image, band, rows, distance)
+            self._draw_patches(image, band, distance)
         return image
 
-    def _painted(self, hits: Hits, band: Raster, rows: slice) -> tuple[Bytes, tuple[Mask, Mask]]:
+    def _painted(self, hits: Hits, band: Raster) -> tuple[Bytes, tuple[Mask, Mask]]:
         """The actuator, with what is seen through it, and its lines."""
         front, look = self._front.scene, self._front.look
         assert look is not None
@@ -253,7 +246,7 @@ class _Layers:
             draw_lines(image, (lines[0], find_lines(self._cells, hits)[1]), INK, 0.45 * SAMPLES, 0.45)
         if self._inside is None or self._inside.look is None:
             return image, lines
-        scene, inside = self._inside.scene, self._inside.hits(band, rows)
+        scene, inside = self._inside.scene, self._inside.scene.look(band)
         within = paint(scene.skin, inside, scene.eye, self._inside.look)
         draw_lines(within, find_lines(scene.skin, inside), INK, 0.6 * SAMPLES, 0.5)
         veil = np.where(hits.triangle >= 0, np.where(inside.triangle >= 0, PLOT.pale, 1.0), 0.0)[..., None]
@@ -262,12 +255,12 @@ class _Layers:
     def _of_tension(self, values: Array) -> Array:
         return np.asarray(self._view.field.color_map()(0.15 + 0.85 * values / self._view.limit)[:, :3] * 255)
 
-    def _draw_patches(self, image: Bytes, band: Raster, rows: slice, distance: Array) -> None:
+    def _draw_patches(self, image: Bytes, band: Raster, distance: Array) -> None:
         """Blend patches into a band; ``distance`` (h, w) [m] is that of the actuator, infinite where there is none."""
         value, place = np.zeros(distance.shape), np.full(distance.shape, np.inf)
         size = self._patches[0].scene.size
-        for scene, near, _ in self._patches:
-            hits = scene.look(band, near[rows])
+        for scene, _ in self._patches:
+            hits = scene.look(band)
             inner = visible_values(scene.skin, hits, self._view.limit)
             value, place = laid_over((value, place), (inner, scene.distance(hits)), RENDERING.depth_jump * size)
         behind = place > distance + RENDERING.depth_jump * size

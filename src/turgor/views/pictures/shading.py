@@ -1,12 +1,13 @@
 """Shading: color, light and outlines of the visible surface."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from matplotlib.colors import Colormap
+from numba import njit
 from numpy.typing import NDArray
 
+from turgor.core.engine.compiled import LOOP
 from turgor.views.pictures.raycast import Camera, Hits
 from turgor.views.pictures.settings import LOOK, RENDERING
 from turgor.views.pictures.skin import Skin
@@ -54,30 +55,45 @@ def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
     are those of the color bar everywhere, and a value can be read off the color of a pixel.
     """
     image = np.full((*hits.triangle.shape, 3), 255, dtype=np.uint8)
-    hit = hits.triangle >= 0
-    fields = np.column_stack([skin.values, look.openness, skin.normals]).astype(np.float32)
-    corners = skin.triangles[hits.triangle[hit]]
-    at = fields[corners[:, 0]] * (1 - hits.u - hits.v)[:, None]
-    at += fields[corners[:, 1]] * hits.u[:, None]
-    at += fields[corners[:, 2]] * hits.v[:, None]
-    value, sky, normal = at[:, 0], at[:, 1], at[:, 2:]
-    table = (look.colors(np.linspace(0, 1, 1024))[:, :3] ** GAMMA).astype(np.float32)
-    value = np.nan_to_num(value, nan=look.floor)  # a field of a cell turned inside out
-    color = table[np.clip((value - look.floor) * (1023 / (look.limit - look.floor)), 0, 1023).astype(np.int32)]
-    right, up, forward = LOOK.lamp_place
-    lamp = _unit(right * eye.right + up * eye.up + forward * eye.forward)
-    length = np.sqrt(np.einsum("si,si->s", normal, normal))
-    normal *= (-np.sign(normal @ eye.forward.astype(np.float32)) / np.maximum(length, 1e-12))[:, None]
-    light = (1 - LOOK.lamp) * (0.25 + 0.75 * sky) * (0.8 + 0.2 * normal[:, 2])
-    light += LOOK.lamp * np.maximum(normal @ lamp, 0) * (0.4 + 0.6 * sky)
-    color *= (1 - look.shadow * (1 - np.clip(light, 0, 1)))[:, None]
+    fields = np.column_stack([np.nan_to_num(skin.values, nan=look.floor), look.openness, skin.normals])
+    table = look.colors(np.linspace(0, 1, 1024))[:, :3] ** GAMMA
     levels = (np.linspace(0, 1, 4096) ** (1 / GAMMA) * 255 + 0.5).astype(np.uint8)
-    image[hit] = levels[(np.clip(color, 0, 1) * 4095).astype(np.int32)]
+    right, up, forward = LOOK.lamp_place
+    lamp = right * eye.right + up * eye.up + forward * eye.forward
+    directions = np.stack([eye.forward, lamp / np.linalg.norm(lamp)])
+    numbers = np.array([look.floor, 1023 / (look.limit - look.floor), LOOK.lamp, look.shadow])
+    _shade(image, hits.triangle, (hits.u, hits.v), (skin.triangles, fields), (table, levels, directions, numbers))
     return image
 
 
-def _unit(vector: NDArray[Any]) -> NDArray[np.float32]:
-    return np.asarray(vector / np.linalg.norm(vector), dtype=np.float32)
+@njit(**LOOP)
+def _shade(image, triangle, shares, skin, look):  # type: ignore[no-untyped-def]
+    """Color the samples that hit a triangle."""
+    (corners, fields), (table, levels, directions, numbers) = skin, look
+    floor, scale, lamp, shadow = numbers[0], numbers[1], numbers[2], numbers[3]
+    k, at = 0, np.empty(5)
+    for row in range(len(triangle)):
+        for column in range(triangle.shape[1]):
+            hit = triangle[row, column]
+            if hit < 0:
+                continue
+            u, v = shares[0][k], shares[1][k]
+            k += 1
+            first, second, third = corners[hit, 0], corners[hit, 1], corners[hit, 2]
+            for i in range(5):
+                at[i] = (1 - u - v) * fields[first, i] + u * fields[second, i] + v * fields[third, i]
+            length, away, lit = 0.0, 0.0, 0.0
+            for i in range(3):
+                length += at[2 + i] ** 2
+                away += at[2 + i] * directions[0, i]
+                lit += at[2 + i] * directions[1, i]
+            turn = (-1.0 if away > 0 else 1.0) / max(length**0.5, 1e-12)
+            light = (1 - lamp) * (0.25 + 0.75 * at[1]) * (0.8 + 0.2 * turn * at[4])
+            light += lamp * max(turn * lit, 0.0) * (0.4 + 0.6 * at[1])
+            light = 4095 * (1 - shadow * (1 - min(max(light, 0.0), 1.0)))
+            color = int(min(max((at[0] - floor) * scale, 0.0), 1023.0))
+            for i in range(3):
+                image[row, column, i] = levels[int(light * table[color, i])]
 
 
 def find_lines(skin: Skin, hits: Hits) -> tuple[Mask, Mask]:

@@ -140,6 +140,18 @@ def test_large_systems_whose_refinement_does_not_settle_are_refined_by_gmres(
 
 
 @pytest.mark.usefixtures("large")
+def test_threads_change_no_digit() -> None:
+    """The order of elimination depends on the size alone, and rslab's factors do not depend on threads."""
+    pattern, data, _ = saddle()
+    solutions = []
+    for threads in (1, 2):
+        factors = Rslab(pattern, threads)
+        factors.factor(data, True)
+        solutions.append(factors.solve(np.arange(1.0, pattern.size + 1)))
+    np.testing.assert_array_equal(*solutions)
+
+
+@pytest.mark.usefixtures("large")
 def test_a_rough_solution_takes_fewer_solves(monkeypatch: pytest.MonkeyPatch) -> None:
     pattern, data, _ = saddle()
     factors = Watched(Rslab(pattern, 1))

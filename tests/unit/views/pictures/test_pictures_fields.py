@@ -44,7 +44,7 @@ def seen_from(elevation, values):
     eye = camera(20 * deg, elevation * deg)
     scene = Scene(skin, eye)
     raster = Raster(left=-0.01, top=0.03, step=0.0005, rows=120, columns=120)
-    hits = scene.look(raster, scene.near(raster))
+    hits = scene.look(raster)
     seen = hits.triangle >= 0
     corners = skin.values[skin.triangles[hits.triangle[seen]]]
     exact = corners[:, 0] * (1 - hits.u - hits.v) + corners[:, 1] * hits.u + corners[:, 2] * hits.v

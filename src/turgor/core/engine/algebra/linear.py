@@ -152,8 +152,8 @@ def _analyzed(indptr: NDArray[np.int64], indices: NDArray[np.int32], threads: in
 
 def _analysis_of(pattern: Pattern, threads: int) -> rslab.LdltSymbolic:
     """The analysis of a pattern in the order that is best for its size."""
-    small = LINEAR_SOLVER.small if threads > 1 else LINEAR_SOLVER.small_for_one_thread
-    return _analyzed(pattern.indptr, pattern.indices, threads, "auto" if pattern.size < small else "metis")
+    ordering = "auto" if pattern.size < LINEAR_SOLVER.dissected_from else "metis"
+    return _analyzed(pattern.indptr, pattern.indices, threads, ordering)
 
 
 def factors_fit(pattern: Pattern, threads: int) -> bool:

@@ -15,12 +15,12 @@ class LinearSolverSettings:
     Parameters
     ----------
     small : int
-        Below so many unknowns factors are in double precision, and several threads take the order with the fewest
-        entries: there is nothing to gain. Beyond, two threads factor faster in the order of nested dissection, by a
-        quarter at 35,000; in the other its tree of fronts is too narrow to share.
-    small_for_one_thread : int
-        The same for the order of one thread, which gains a tenth at 67,000 and at 200,000, because the analysis is
-        shorter and the fronts are larger.
+        Below so many unknowns factors are in double precision: there is nothing to gain.
+    dissected_from : int
+        From so many unknowns on nested dissection orders them, below the order with the fewest entries of the factors.
+        That takes 4 to 7 billion operations instead of 8 to 11 at 35,000, and on two threads no longer, although its
+        tree of fronts is narrower; the same at 45,000. Dissection gains a tenth at 67,000 and at 200,000, because the
+        analysis is shorter and the fronts are larger.
     large, share_of_memory : int, float
         From so many unknowns on it is checked whether factors fit into this share of the memory of the machine.
     smallest_pivot : float
@@ -32,7 +32,8 @@ class LinearSolverSettings:
         be below: ten cost less than factors in double precision.
     accelerated_from, accelerated : int
         From so many unknowns on GMRES refines where that is not so, in so many iterations at most. A solution costs a
-        thirtieth of the factors there; at 35,000 unknowns it costs a twentieth, and the demo took a tenth longer so.
+        thirtieth of the factors from 43,000 unknowns on; at 35,000 of tetrahedra it costs a twentieth, and the demo
+        took a tenth longer so.
     many_prescribed : float
         Share of prescribed unknowns from which they are left out of the factorization: in an axisymmetric mesh, most
         are.
@@ -41,13 +42,13 @@ class LinearSolverSettings:
     """
 
     small: int = 10_000
-    small_for_one_thread: int = 40_000
+    dissected_from: int = 40_000
     large: int = 300_000
     share_of_memory: float = 0.6
     smallest_pivot: float = 1e-5
     refinements: int = 10
     settling: float = 0.7
-    accelerated_from: int = 100_000
+    accelerated_from: int = 40_000
     accelerated: int = 12
     many_prescribed: float = 0.25
     rubbing_residual: float = 1e-4
