@@ -4,6 +4,8 @@ from pathlib import Path
 
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.source import Source
+from turgor.foundation.store.atomic_files import whole
+from turgor.studies.runs.designs import Designs
 from turgor.studies.runs.evaluations import Evaluations
 from turgor.studies.runs.jobs.job_function import job_function
 from turgor.studies.runs.study import Study
@@ -28,12 +30,34 @@ def sweep_job(study: StudyFile, folder: str | Path, evaluations: Evaluations) ->
     Raises
     ------
     TurgorError
-        If the study file has no sweep, or the folder holds something else.
+        If the study file has no sweep, the folder holds something else, or a file that is a factor is missing or has
+        changed since the study began.
     """
     plan = study.sweep
     if plan is None:
         raise TurgorError(f"the study file '{study.name}' has no sweep; add the table [sweep].")
     base = job_function(study.job, Path(folder))
+    _copy_files(study, plan.designs, Path(folder))
     computation = base.computation(mesh_error="every" if plan.mesh_error else "none", measures=plan.measures)
     source = Source(text=f"sweep of the job '{study.job.name}', {plan.designs.rule}")
     return study_of(computation, plan.designs, evaluations, source)
+
+
+def _copy_files(study: StudyFile, designs: Designs, folder: Path) -> None:
+    """Copy the files that are factors next to the job of the study, so that its runs belong to what they hold now."""
+    named = {(key, value) for row in designs.values for key, value in row.items() if key.endswith(".file")}
+    for key, name in sorted((key, name) for key, name in named if isinstance(name, str)):
+        if Path(name).is_absolute() or ".." in Path(name).parts:
+            raise TurgorError(f"factors.{key}: '{name}' must lie in the folder of the job, '{study.folder}'.")
+        source, target = study.folder / name, folder / name
+        if not source.is_file():
+            raise TurgorError(f"factors.{key}: there is no file '{source}'.")
+        content = source.read_bytes()
+        if target.is_file() and target.read_bytes() != content:
+            raise TurgorError(
+                f"factors.{key}: '{source}' has changed since the study in '{folder}' began; name another folder of "
+                "results, or give the file another name."
+            )
+        target.parent.mkdir(parents=True, exist_ok=True)
+        with whole(target) as part:
+            part.write_bytes(content)

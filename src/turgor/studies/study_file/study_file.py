@@ -47,6 +47,8 @@ class StudyFile:
     ----------
     name : str
     job : Job
+    folder : Path
+        Of the job file; files that are factors lie in it.
     sweep : SweepPlan or None
     optimize : OptimizationPlan or None
     calibrate : CalibrationPlan or None
@@ -57,6 +59,7 @@ class StudyFile:
 
     name: str
     job: Job
+    folder: Path = Path()
     sweep: SweepPlan | None = None
     optimize: OptimizationPlan | None = None
     calibrate: CalibrationPlan | None = None
@@ -133,7 +136,7 @@ def study_of(
     plans = _plans(content, base, path.parent, problems, kind)
     name = read_name(content.get("name", name_of_file(path)), problems)
     problems.raise_any()
-    return StudyFile(name=name, job=base.job, **plans)
+    return StudyFile(name=name, job=base.job, folder=base.file.parent, **plans)
 
 
 def _plans(content: Mapping[str, Any], base: JobBase, folder: Path, problems: Problems, kind: str) -> dict[str, Any]:

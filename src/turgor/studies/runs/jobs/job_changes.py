@@ -42,7 +42,9 @@ def job_changes(content: Mapping[str, Any], values: Mapping[str, Value]) -> dict
     texts = {key: value for keys, value in values.items() if isinstance(value, str) for key in keys.split(",")}
     records = {key: value for key, value in texts.items() if is_material(content, key)}
     choices = {key: value for key, value in texts.items() if key not in records}
-    return changes_of(content, numbers) | record_changes(content, records) | choices
+    # another file has another content than the one that the job states
+    contents = {f"{key.removesuffix('.file')}.sha256": "" for key in choices if key.endswith(".file")}
+    return changes_of(content, numbers) | record_changes(content, records) | choices | contents
 
 
 def is_material(content: Mapping[str, Any], key: str) -> bool:
