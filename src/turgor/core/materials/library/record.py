@@ -261,7 +261,7 @@ def _recommended(content: Mapping[str, Any], name: str, library: str) -> str:
     if "recommended" not in content:
         return ""
     given = table(content["recommended"], f"{library}: recommended", ("record", "why"), ("record", "why"))
-    if given["record"] not in content["records"]:
+    if str(given["record"]) not in content["records"]:  # what is no text may be a list, which is no key
         raise unknown(f"record in {library}: recommended", str(given["record"]), content["records"])
     return read.text(given, "why", f"{library}: recommended") if given["record"] == name else ""
 
