@@ -1,4 +1,4 @@
-"""Cores of a mold: what fills the cavities, held through their openings."""
+"""Cores of a mold: what fills the cavities, and stands out through their openings."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -33,14 +33,14 @@ class Plug:
         Axis along which it leaves.
     side : int
         1 if it leaves toward positive coordinates, else -1.
-    held_back : float [CAD units²]
+    trapped : float [CAD units²]
         Area of the cavity that the core cannot pass when it is pulled out.
     """
 
     shape: Any
     axis: int
     side: int
-    held_back: float
+    trapped: float
 
 
 def plug_of(name: str, hollow: Hollow, facets: Facets, faces: list[Any], length: float) -> Plug:
@@ -85,8 +85,8 @@ def plug_of(name: str, hollow: Hollow, facets: Facets, faces: list[Any], length:
     cap = occ.Face(occ.Wire(_rim(hollow, faces)))
     way = [0.0, 0.0, 0.0]
     way[axis] = side * length
-    held = area[normal[:, axis] * side < -SLOPE].sum()
-    return Plug(shape=occ.Prism(cap, occ.Vec(*way)), axis=axis, side=side, held_back=float(held))
+    trapped = area[normal[:, axis] * side < -SLOPE].sum()
+    return Plug(shape=occ.Prism(cap, occ.Vec(*way)), axis=axis, side=side, trapped=float(trapped))
 
 
 def _rim(hollow: Hollow, faces: list[Any]) -> list[Any]:

@@ -110,7 +110,7 @@ def _box(low: Array, high: Array) -> Any:
 
 
 def _cores(fillings: list[Any], plugs: list[Plug], around: Any) -> list[Any]:
-    """Join each plug to the filling that it touches; it stands out of the block, to be held."""
+    """Join each plug to the filling that it touches; it stands out of the block."""
     cores = []
     for plug in plugs:
         away = [float(each.Distance(plug.shape)) for each in fillings]
@@ -189,7 +189,7 @@ def _notes(parting: Parting, outside: Array, plugs: list[Plug], settings: MoldSe
     for i, plug in enumerate(plugs, start=1):
         name = "The core" if len(plugs) == 1 else f"Core {i}"
         way = f"{'-' if plug.side < 0 else '+'}{'xyz'[plug.axis]}"
-        if plug.held_back < SLOPE:
+        if plug.trapped < SLOPE:
             lines.append(f"{name} is pulled out along {way}.")
         else:
             lines.append(
