@@ -154,8 +154,10 @@ def _compressions(law: str, order: int) -> int:
 
 def _hyperfoam(draft: _Draft, keyword: Keyword, units: DeckUnits) -> None:
     order = int(keyword.given.get("n", "1") or 1)
-    values = _values(keyword)[: 3 * order]
-    mu, alpha, nu = values[0::3], values[1::3], values[2::3]
+    values = _values(keyword)
+    if not 3 * order <= len(values) <= 3 * order + 1:
+        raise TurgorError(f"{3 * order} constants and no second row for another temperature are needed.")
+    mu, alpha, nu = values[0 : 2 * order : 2], values[1 : 2 * order : 2], values[2 * order : 3 * order]
     draft.fields["law"] = Hyperfoam.from_abaqus(mu=[m * units.stress for m in mu], alpha=alpha, nu=nu)
 
 

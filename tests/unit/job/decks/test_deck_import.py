@@ -48,6 +48,11 @@ def job_of(file, folder, **more):
         ),
         ("*HYPERELASTIC, ARRUDA-BOYCE\n0.1, 3., 0.\n", ArrudaBoyce(mu=0.1 * MPA, locking_stretch=3.0), np.inf),
         ("*HYPERFOAM, N=1\n0.1, 4., 0.2\n", Hyperfoam.from_abaqus(mu=(0.1 * MPA,), alpha=(4.0,), nu=(0.2,)), None),
+        (
+            "*HYPERFOAM, N=2\n0.1, 4., 0.02, -2., 0.2, 0.1\n",
+            Hyperfoam.from_abaqus(mu=(0.1 * MPA, 0.02 * MPA), alpha=(4.0, -2.0), nu=(0.2, 0.1)),
+            None,
+        ),
         ("*ELASTIC\n0.3, 0.25\n", NeoHooke(C10=0.06 * MPA), 0.2 * MPA),
     ],
 )
