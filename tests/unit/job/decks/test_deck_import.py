@@ -246,3 +246,24 @@ def test_files_are_not_replaced(tmp_path):
     read.write(tmp_path)
     with refused("block.toml"):
         read.write(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("model", "loads", "facts"),
+    [
+        ("*DSLOAD\nLID, P, 0.1\n", PULL, ("*DSLOAD", "this place")),
+        ("", PULL + "*CONTACT PAIR, INTERACTION=A\nLID, LID\n", ("*CONTACT PAIR", "this place")),
+        ("*NSET, NSET=NONE\n", PULL + "*BOUNDARY\nNONE, 1\n", ("*BOUNDARY", "'NONE'", "no nodes")),
+        ("*SURFACE, NAME=BARE\n7, S1\n", "*DSLOAD\nBARE, P, 1.\n", ("*DSLOAD", "'BARE'", "no sides")),
+    ],
+)
+def test_nothing_is_dropped_without_a_word(tmp_path, model, loads, facts):
+    with refused(*facts):
+        tg.files.import_deck(deck(tmp_path, model=FIXED + model, steps=step(loads)))
+
+
+def test_names_of_an_instance(tmp_path):
+    file = deck(
+        tmp_path, model=FIXED.replace("BOTTOM", "Part-1-1.BOTTOM"), steps=step(PULL.replace("LID", 'P-1."LID"'))
+    )
+    assert [load.face for load in job_of(file, tmp_path).loads] == ["LID"]
