@@ -154,7 +154,7 @@ def read_deck(path: Path) -> Deck:
         If there is no such file, it has no nodes, or its lines are damaged.
     """
     if not path.is_file():
-        raise TurgorError(f"there is no deck '{path}'.")
+        raise TurgorError(f"'{path}' is a folder, no deck." if path.is_dir() else f"there is no deck '{path}'.")
     keywords = keywords_of(path)
     model: list[Keyword] = []
     steps: list[list[Keyword]] = []

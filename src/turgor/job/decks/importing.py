@@ -191,4 +191,5 @@ _COUNTED = {"node": "nodes", "nset": "nodes or sets", "elset": "cells or sets", 
 
 
 def _counted(keyword: Keyword) -> str:
-    return f"{len(keyword.lines)} lines of {_COUNTED[keyword.name]}"
+    count = len(keyword.lines)
+    return f"{count} line{'' if count == 1 else 's'} of {_COUNTED[keyword.name]}"

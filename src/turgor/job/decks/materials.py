@@ -79,8 +79,9 @@ def materials_of(keywords: Iterable[Keyword], units: DeckUnits, account: Account
         elif drafts and keyword.name in _PARTS:
             try:
                 _PARTS[keyword.name](drafts[-1], keyword, units)
-            except (TurgorError, IndexError) as error:
-                account.missing(keyword, str(error) if isinstance(error, TurgorError) else "a line of data is short")
+            except (TurgorError, IndexError, ValueError) as error:
+                text = str(error) if isinstance(error, TurgorError) else "a line of data is short, or a number is none"
+                account.missing(keyword, text)
             else:
                 account.taken(keyword, _meaning(drafts[-1], keyword))
         elif keyword.name in IDLE:

@@ -96,7 +96,7 @@ def keywords_of(path: Path, above: tuple[Path, ...] = ()) -> list[Keyword]:
     """Split a file into keywords, with the files that it includes in their places; ``above`` are those around it."""
     keywords: list[Keyword] = []
     pending = ""
-    for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), start=1):
+    for number, line in enumerate(path.read_text(encoding="utf-8-sig", errors="replace").splitlines(), start=1):
         if line.startswith("**") or not line.strip():
             continue
         text = pending + line.strip()
