@@ -6,10 +6,11 @@ import pytest
 import results_cases as cases
 
 from refused import any_states, refused
-from turgor.core.model.loads import HydrostaticPressure, Morison, Pressure
+from turgor.core.model.loads import HydrostaticPressure, Load, Morison, Pressure
 from turgor.core.model.model import Model
 from turgor.core.solvers.checks.early_findings import early_findings
 from turgor.core.solvers.procedures.dynamic import Dynamic
+from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.static import Static
 from turgor.foundation.finding import Severity
 from turgor.job.output.lock import lock_text
@@ -98,7 +99,7 @@ def test_water_that_comes_is_written(tmp_path: Path) -> None:
 
 
 def test_water_that_acts_in_motion_only_needs_a_motion() -> None:
-    def severities(procedure, *loads):
+    def severities(procedure: Procedure, *loads: Load) -> list[Severity]:
         model = Model(cases.body(), {"body": cases.RUBBER, "base": cases.RUBBER}, "fixed", list(loads))
         return [each.severity for each in early_findings(model, procedure) if each.code == "L13"]
 

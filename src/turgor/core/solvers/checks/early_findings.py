@@ -1,10 +1,9 @@
 """Early findings: everything that is known about a model before it is solved, in one call."""
 
 from turgor.core.model.model import Model
-from turgor.core.solvers.checks.body_states import states_while_loading
 from turgor.core.solvers.checks.contact import check_contact
 from turgor.core.solvers.checks.fibers import check_fibers
-from turgor.core.solvers.checks.liquids import idle_strips
+from turgor.core.solvers.checks.loads import idle_strips, states_while_loading
 from turgor.core.solvers.checks.materials import constants_in_doubt
 from turgor.core.solvers.checks.obstacles import enclosed_obstacles, overlapping_obstacles
 from turgor.core.solvers.checks.plausibility.check import implausible
