@@ -75,6 +75,7 @@ def test_liquids_are_read_and_written(tmp_path: Path) -> None:
         ('"cavity"', '"cavty"', ["cavty", "cavity"]),
         ("free_surface", "free_surfac", ["free_surfac", "free_surface"]),
         ("axis = [1, 0, 0]", "axis = [0, 0, 0]", ["loads.morison", "zero vector"]),
+        ("[[loads.morison]]", "[loads.morison]", ["loads.morison:", "double brackets", "[[morison]]"]),
         ("drag = 3", "drag = -3", ["loads.morison", "drag is -3", "0 or more"]),
         ('level = "3 cm"', 'direction = [0, 1, -1]\nlevel = "3 cm"', ["mirror", "actuator.symmetric = false"]),
     ],
