@@ -65,6 +65,10 @@ class Account:
         """Add a keyword without which the job is another model."""
         self._add(keyword, MISSING, text)
 
+    def has(self, keyword: "Keyword") -> bool:
+        """Whether a keyword has a row."""
+        return any((row.file, row.line) == (keyword.path, keyword.line) for row in self.rows)
+
     def _add(self, keyword: "Keyword", verdict: str, text: str) -> None:
         row = DeckRow(file=keyword.path, line=keyword.line, keyword=shown(keyword), verdict=verdict, text=text)
         if row not in self.rows:

@@ -127,9 +127,15 @@ class Deck:
             return np.array([int(word)], dtype=np.int64) if known else None
         return self.cell_sets.numbers(word.strip('"'))
 
+    def surface_name(self, name: str) -> str | None:
+        """The surface that a line names, whatever its case; the instance before a point is left away."""
+        plain = name.replace('"', "").lower()
+        names = (plain, plain.rpartition(".")[2])
+        return next((key for key in self.content.surfaces if key.lower() in names), None)
+
     def surface(self, name: str) -> tuple[tuple[int, str], ...] | None:
         """Cells and labels of the sides of a surface; None for an unknown one."""
-        known = next((key for key in self.content.surfaces if key.lower() == name.strip('"').lower()), None)
+        known = self.surface_name(name)
         if known is None:
             return None
         sides = []
@@ -148,7 +154,7 @@ def read_deck(path: Path) -> Deck:
         If there is no such file, it has no nodes, or its lines are damaged.
     """
     if not path.is_file():
-        raise TurgorError(f"there is no deck '{path}'.")
+        raise TurgorError(f"'{path}' is a folder, no deck." if path.is_dir() else f"there is no deck '{path}'.")
     keywords = keywords_of(path)
     model: list[Keyword] = []
     steps: list[list[Keyword]] = []

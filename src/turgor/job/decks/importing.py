@@ -14,7 +14,7 @@ from turgor.job.decks.contact import contact_of
 from turgor.job.decks.deck import Deck, read_deck
 from turgor.job.decks.directions import axes_of
 from turgor.job.decks.loads import loads_of
-from turgor.job.decks.materials import IDLE, REFUSED, materials_of
+from turgor.job.decks.materials import materials_of
 from turgor.job.decks.mirrors import take_mirrors
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.parts import check_ties, entries_of
@@ -34,13 +34,6 @@ _UNUSED = frozenset(
      "part", "end part", "assembly", "end assembly", "instance", "end instance", "include", "step", "static", "visco",
      "time points", "print", "energy print", "energy output", "energy file", "no analysis", "section controls",
      "orientation", "filter", "history output")
-)  # fmt: skip
-
-#: Keywords that other parts of the import account for.
-_READ = frozenset(
-    (*REFUSED, *IDLE, "material", "elastic", "hyperelastic", "hyperfoam", "viscoelastic", "mullins effect", "density",
-     "amplitude", "boundary", "cload", "dload", "dsload", "transform", "element", "tie", "surface interaction",
-     "friction", "surface behavior", "contact pair")
 )  # fmt: skip
 
 
@@ -190,12 +183,13 @@ def _account_rest(deck: Deck, account: Account) -> None:
         elif keyword.name in _UNUSED:
             if keyword.name not in ("step", "static", "visco"):
                 account.not_needed(keyword, "it changes no result")
-        elif keyword.name not in _READ and not keyword.name.endswith("section"):
-            account.missing(keyword, "it has no form here.")
+        elif not account.has(keyword):
+            account.missing(keyword, "it has no form here, or none in this place.")
 
 
 _COUNTED = {"node": "nodes", "nset": "nodes or sets", "elset": "cells or sets", "surface": "sides"}
 
 
 def _counted(keyword: Keyword) -> str:
-    return f"{len(keyword.lines)} lines of {_COUNTED[keyword.name]}"
+    count = len(keyword.lines)
+    return f"{count} line{'' if count == 1 else 's'} of {_COUNTED[keyword.name]}"

@@ -79,8 +79,9 @@ def materials_of(keywords: Iterable[Keyword], units: DeckUnits, account: Account
         elif drafts and keyword.name in _PARTS:
             try:
                 _PARTS[keyword.name](drafts[-1], keyword, units)
-            except (TurgorError, IndexError) as error:
-                account.missing(keyword, str(error) if isinstance(error, TurgorError) else "a line of data is short")
+            except (TurgorError, IndexError, ValueError) as error:
+                text = str(error) if isinstance(error, TurgorError) else "a line of data is short, or a number is none"
+                account.missing(keyword, text)
             else:
                 account.taken(keyword, _meaning(drafts[-1], keyword))
         elif keyword.name in IDLE:
@@ -154,8 +155,10 @@ def _compressions(law: str, order: int) -> int:
 
 def _hyperfoam(draft: _Draft, keyword: Keyword, units: DeckUnits) -> None:
     order = int(keyword.given.get("n", "1") or 1)
-    values = _values(keyword)[: 3 * order]
-    mu, alpha, nu = values[0::3], values[1::3], values[2::3]
+    values = _values(keyword)
+    if not 3 * order <= len(values) <= 3 * order + 1:
+        raise TurgorError(f"{3 * order} constants and no second row for another temperature are needed.")
+    mu, alpha, nu = values[0 : 2 * order : 2], values[1 : 2 * order : 2], values[2 * order : 3 * order]
     draft.fields["law"] = Hyperfoam.from_abaqus(mu=[m * units.stress for m in mu], alpha=alpha, nu=nu)
 
 

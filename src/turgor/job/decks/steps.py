@@ -192,6 +192,8 @@ def _nodes(deck: Deck, where: str) -> NDArray[np.int64]:
     nodes = deck.nodes(where)
     if nodes is None:
         raise unknown("set of nodes", where, deck.content.node_sets)
+    if not len(nodes):
+        raise TurgorError(f"the set '{where}' has no nodes.")
     return nodes
 
 
@@ -239,9 +241,12 @@ def _take_surface_loads(path: Path, keyword: Keyword) -> str:
         surface, label, value = words_of(line)[:3]
         if label.upper() != "P":
             raise TurgorError(f"the load {label.upper()} has no form here; P has one.")
-        if path.deck.surface(surface) is None:
+        sides = path.deck.surface(surface)
+        if sides is None:
             raise unknown("surface", surface, path.deck.content.surfaces)
-        path.tracks.state((PRESSURE, surface, ""), float(value), amplitude, keyword)
+        if not sides:
+            raise TurgorError(f"the surface '{surface}' has no sides of cells that are read.")
+        path.tracks.state((PRESSURE, path.deck.surface_name(surface), ""), float(value), amplitude, keyword)
     return "pressure that follows the surface"
 
 

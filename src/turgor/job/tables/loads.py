@@ -15,7 +15,7 @@ from turgor.core.model.sheets import Sheet
 from turgor.foundation.errors import near_match, unknown
 from turgor.job.text.forces import is_force, on_faces
 from turgor.job.text.listed_loads import fits, listed_values, loads_model, read_listed
-from turgor.job.text.load_tables import CavityTable, LoadsTable
+from turgor.job.text.load_tables import CavityTable
 from turgor.job.text.load_values import history_of, history_values
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import read_table
@@ -77,7 +77,7 @@ def _without_history(values: Mapping[str, Any], cavities: tuple[str, ...], probl
 def _is_face(name: str, value: object, faces: tuple[str, ...]) -> bool:
     """Whether a key of ``[loads]`` stands for a cavity or another face: it is a name of one, or holds a table."""
     called = name in faces or name.startswith("cavity_")
-    return called or (isinstance(value, Mapping) and name not in LoadsTable.model_fields)
+    return called or (isinstance(value, Mapping) and name not in loads_model().model_fields)
 
 
 def _in_all(

@@ -304,6 +304,8 @@ def _sentence(table: type[BaseModel], place: Key, item: Any) -> str:
     error = item.get("ctx", {}).get("error")
     if isinstance(error, TurgorError):
         return str(error)
+    if kind == "list_type" and isinstance(given, Mapping):
+        return f"a table is not a list; its head has double brackets, [[{place[-1]}]] with what stands before it."
     needed = _NEEDED.get(kind)
     return f"{shown(given)} is not {needed}." if needed else f"{shown(given)} is not allowed: {item['msg']}."
 

@@ -51,6 +51,25 @@ def test_a_file_that_is_not_there(tmp_path, capsys):
     assert "there is no deck" in capsys.readouterr().err
 
 
+def test_a_folder_is_no_deck(tmp_path, capsys):
+    assert main(["import", str(tmp_path)]) == BAD_INPUT
+    assert "is a folder" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("material", ["*HYPERELASTIC, OGDEN, N=two\n0.1, 2., 0.\n", "*MULLINS EFFECT\n1.\n"])
+def test_damaged_materials_are_named_by_line(tmp_path, capsys, material):
+    assert main(["import", str(deck(tmp_path, material=material))]) == BAD_INPUT
+    message = capsys.readouterr().err
+    assert f"*{material[1:10]}" in message
+    assert "a number is none" in message
+
+
+def test_a_byte_order_mark_hides_nothing(tmp_path):
+    file = deck(tmp_path)
+    file.write_text(file.read_text(encoding="utf-8").partition("a block\n")[2], encoding="utf-8-sig")
+    assert tg.files.import_deck(file).rows[0].text == "12 lines of nodes"
+
+
 @pytest.mark.parametrize("text", ["", "*NODE\n1, 0, 0, x\n", "*ELEMENT, TYPE=C3D8\n1,1\n"])
 def test_damaged_decks_end_in_a_sentence(tmp_path, capsys, text):
     file = tmp_path / "bad.inp"

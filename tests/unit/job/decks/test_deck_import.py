@@ -48,6 +48,11 @@ def job_of(file, folder, **more):
         ),
         ("*HYPERELASTIC, ARRUDA-BOYCE\n0.1, 3., 0.\n", ArrudaBoyce(mu=0.1 * MPA, locking_stretch=3.0), np.inf),
         ("*HYPERFOAM, N=1\n0.1, 4., 0.2\n", Hyperfoam.from_abaqus(mu=(0.1 * MPA,), alpha=(4.0,), nu=(0.2,)), None),
+        (
+            "*HYPERFOAM, N=2\n0.1, 4., 0.02, -2., 0.2, 0.1\n",
+            Hyperfoam.from_abaqus(mu=(0.1 * MPA, 0.02 * MPA), alpha=(4.0, -2.0), nu=(0.2, 0.1)),
+            None,
+        ),
         ("*ELASTIC\n0.3, 0.25\n", NeoHooke(C10=0.06 * MPA), 0.2 * MPA),
     ],
 )
@@ -241,3 +246,24 @@ def test_files_are_not_replaced(tmp_path):
     read.write(tmp_path)
     with refused("block.toml"):
         read.write(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("model", "loads", "facts"),
+    [
+        ("*DSLOAD\nLID, P, 0.1\n", PULL, ("*DSLOAD", "this place")),
+        ("", PULL + "*CONTACT PAIR, INTERACTION=A\nLID, LID\n", ("*CONTACT PAIR", "this place")),
+        ("*NSET, NSET=NONE\n", PULL + "*BOUNDARY\nNONE, 1\n", ("*BOUNDARY", "'NONE'", "no nodes")),
+        ("*SURFACE, NAME=BARE\n7, S1\n", "*DSLOAD\nBARE, P, 1.\n", ("*DSLOAD", "'BARE'", "no sides")),
+    ],
+)
+def test_nothing_is_dropped_without_a_word(tmp_path, model, loads, facts):
+    with refused(*facts):
+        tg.files.import_deck(deck(tmp_path, model=FIXED + model, steps=step(loads)))
+
+
+def test_names_of_an_instance(tmp_path):
+    file = deck(
+        tmp_path, model=FIXED.replace("BOTTOM", "Part-1-1.BOTTOM"), steps=step(PULL.replace("LID", 'P-1."LID"'))
+    )
+    assert [load.face for load in job_of(file, tmp_path).loads] == ["LID"]

@@ -3,9 +3,16 @@
 from pathlib import Path
 
 import pytest
+import results_cases as cases
 
 from refused import any_states, refused
-from turgor.core.model.loads import HydrostaticPressure, Morison
+from turgor.core.model.loads import HydrostaticPressure, Load, Morison, Pressure
+from turgor.core.model.model import Model
+from turgor.core.solvers.checks.early_findings import early_findings
+from turgor.core.solvers.procedures.dynamic import Dynamic
+from turgor.core.solvers.procedures.procedure import Procedure
+from turgor.core.solvers.procedures.static import Static
+from turgor.foundation.finding import Severity
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 from turgor.job.text.problems import JobError
@@ -68,6 +75,7 @@ def test_liquids_are_read_and_written(tmp_path: Path) -> None:
         ('"cavity"', '"cavty"', ["cavty", "cavity"]),
         ("free_surface", "free_surfac", ["free_surfac", "free_surface"]),
         ("axis = [1, 0, 0]", "axis = [0, 0, 0]", ["loads.morison", "zero vector"]),
+        ("[[loads.morison]]", "[loads.morison]", ["loads.morison:", "double brackets", "[[morison]]"]),
         ("drag = 3", "drag = -3", ["loads.morison", "drag is -3", "0 or more"]),
         ('level = "3 cm"', 'direction = [0, 1, -1]\nlevel = "3 cm"', ["mirror", "actuator.symmetric = false"]),
     ],
@@ -89,3 +97,15 @@ def test_water_that_comes_is_written(tmp_path: Path) -> None:
     job = read(tmp_path, JOB + "history = [[0, 0], [1, 1]]\n")
     assert job.loads[-1].share(0.5) == 0.5
     assert read(tmp_path, lock_text(job, {})).loads == job.loads
+
+
+def test_water_that_acts_in_motion_only_needs_a_motion() -> None:
+    def severities(procedure: Procedure, *loads: Load) -> list[Severity]:
+        model = Model(cases.body(), {"body": cases.RUBBER, "base": cases.RUBBER}, "fixed", list(loads))
+        return [each.severity for each in early_findings(model, procedure) if each.code == "L13"]
+
+    moving = Morison(face="outside", density=1000, axis=(1, 0, 0))
+    assert severities(Static(), moving) == [Severity.WARNING]
+    assert severities(Static(), moving, Pressure("cavity", 1e3)) == [Severity.NOTE]
+    assert severities(Static(), Pressure("cavity", 1e3)) == []
+    assert severities(Dynamic(duration=1.0), moving) == []

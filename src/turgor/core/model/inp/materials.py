@@ -114,9 +114,9 @@ def _yeoh_n(law: YeohN) -> tuple[str, Sequence[float], int]:
 
 
 def _foam(name: str, law: Hyperfoam | BlatzKo, program: str) -> list[str]:
-    """Triples μᵢ, αᵢ, νᵢ in Abaqus's convention, of which Blatz and Ko's law is one.
+    """Pairs μᵢ, αᵢ and then all νᵢ in Abaqus's convention, of which Blatz and Ko's law is one.
 
-    CalculiX 2.20 reads them but crashes with one term, and squeezes a cube of two with twelve times the stress.
+    CalculiX 2.20 reads them but crashes with one term.
     """
     if program == "calculix":
         raise TurgorError(
@@ -128,8 +128,8 @@ def _foam(name: str, law: Hyperfoam | BlatzKo, program: str) -> list[str]:
     mu, alpha, nu = law.to_abaqus()
     if len(mu) > 3:
         raise TurgorError(f"Hyperfoam with {len(mu)} terms has no form in .inp files; 3 is the most.")
-    numbers = [value for m, a, n in zip(mu, alpha, nu, strict=True) for value in (m / MPa, a, n)]
-    return [f"*HYPERFOAM, N={len(mu)}", *_rows(numbers)]
+    pairs = [value for m, a in zip(mu, alpha, strict=True) for value in (m / MPa, a)]
+    return [f"*HYPERFOAM, N={len(mu)}", *_rows([*pairs, *nu])]
 
 
 def _ogden(law: Ogden) -> tuple[str, Sequence[float], int]:

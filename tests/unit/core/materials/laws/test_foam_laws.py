@@ -169,7 +169,7 @@ def test_who_has_no_foams_says_so():
 def test_abaqus_has_them():
     foam = tg.Material(name="pad", law=FOAM, density=120.0)
     assert material_lines("b", foam, "abaqus")[1:] == [
-        "*HYPERFOAM, N=2", "0.02, 8, 0, 0.005, -2, 0.2", "*DENSITY", "1.2e-10",
+        "*HYPERFOAM, N=2", "0.02, 8, 0.005, -2, 0, 0.2", "*DENSITY", "1.2e-10",
     ]  # fmt: skip
     blatz_ko = tg.Material(name="pad", law=BlatzKo(mu=3e4))
     assert material_lines("b", blatz_ko, "abaqus")[1:] == ["*HYPERFOAM, N=1", "0.03, -2, 0.25"]

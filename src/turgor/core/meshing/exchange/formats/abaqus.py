@@ -21,6 +21,9 @@ _SHEETS = {3: "triangle3", 6: "triangle6", 4: "quadrilateral4", 8: "quadrilatera
 
 _PLANE = ("CPE", "CPS", "CAX")
 
+#: Parameters with which the lines below a keyword are not all of it, or mean something else: of cells, of nodes.
+_ELSEWHERE = (("input", "combine"), ("input", "system", "elset"))
+
 _TYPE = re.compile(r"(D?C3D|AC3D|S|M3D|SFM3D|R3D|STRI|DS|CPS|CPE|CAX)(\d+)")
 
 
@@ -53,6 +56,8 @@ class Content:
     unread: list[str] = field(default_factory=list)
     omitted: list[str] = field(default_factory=list)
     plane: set[int] = field(default_factory=set)
+    of_part: set[int] = field(default_factory=set)
+    instances: int = 0
 
 
 def read_abaqus(path: Path) -> RawMesh:
@@ -91,7 +96,7 @@ def keywords_of(path: Path, above: tuple[Path, ...] = ()) -> list[Keyword]:
     """Split a file into keywords, with the files that it includes in their places; ``above`` are those around it."""
     keywords: list[Keyword] = []
     pending = ""
-    for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), start=1):
+    for number, line in enumerate(path.read_text(encoding="utf-8-sig", errors="replace").splitlines(), start=1):
         if line.startswith("**") or not line.strip():
             continue
         text = pending + line.strip()
@@ -123,13 +128,25 @@ def _included(path: Path, name: str, above: tuple[Path, ...]) -> list[Keyword]:
 
 def _take(content: Content, keyword: Keyword) -> None:
     take = _TAKERS.get(keyword.name)
-    if take is not None:
-        take(content, keyword)
+    if take is None:
+        return
+    for key in _ELSEWHERE[keyword.name in ("node", "nset")]:
+        if keyword.given.get(key, "R").upper() != "R":  # SYSTEM=R is Cartesian
+            raise TurgorError(
+                f"'{keyword.path}', line {keyword.line}: *{keyword.name.upper()} with {key.upper()} is not read; "
+                "write its lines below it, nodes in Cartesian coordinates."
+            )
+    take(content, keyword)
 
 
 def _take_nodes(content: Content, keyword: Keyword) -> None:
     for line in keyword.lines:
         values = [*numbers(line, content.path, "a node"), 0.0, 0.0, 0.0]
+        if int(values[0]) in content.of_part:
+            raise TurgorError(
+                f"'{keyword.path}', line {keyword.line}: node {int(values[0])} of the assembly has the number of a "
+                "node of the part; leave out reference points, or write a file without parts and assemblies."
+            )
         content.node_ids.append(int(values[0]))
         content.points.append(values[1:4])
         if "nset" in keyword.given:
@@ -206,7 +223,16 @@ def _take_part(content: Content, keyword: Keyword) -> None:
         )
 
 
+def _end_part(content: Content, keyword: Keyword) -> None:
+    content.of_part.update(content.node_ids)
+
+
 def _take_instance(content: Content, keyword: Keyword) -> None:
+    content.instances += 1
+    if content.instances > 1:
+        raise TurgorError(
+            f"'{content.path}' has several instances; merge them into one part, or write a file without assemblies."
+        )
     moved = any(value for line in keyword.lines for value in numbers(line, content.path, "an instance"))
     if moved:
         raise TurgorError(
@@ -222,6 +248,7 @@ _TAKERS = {
     "surface": _take_surface,
     "solid section": _take_section,
     "part": _take_part,
+    "end part": _end_part,
     "instance": _take_instance,
 }
 

@@ -1,8 +1,11 @@
-"""Checks of states of bodies: whether they are there before the loads, and whether hardening has a shape."""
+"""Checks of loads: states of bodies before the others, hardening with a shape, liquids with a motion to act on."""
+
+from collections.abc import Sequence
 
 from turgor.core.model.history import RAMP
 from turgor.core.model.loads import Load
 from turgor.core.model.model import Model
+from turgor.core.solvers.checks.plausibility.question import Question
 from turgor.foundation.finding import Finding, Severity
 
 
@@ -48,4 +51,33 @@ def _without_stage(load: Load) -> Finding:
         "from the start, and freezes no deformed shape.",
         advice="State it in the loads of a later stage, which begins in the deformed shape; or take Stiffness, if the "
         "body is stiffer from the start.",
+    )
+
+
+def idle_strips(questions: Sequence[Question]) -> tuple[Finding, ...]:
+    """Say which liquids around slender bodies change no state, because nothing in the run has inertia (L13).
+
+    Parameters
+    ----------
+    questions : sequence of Question
+        Of all stages.
+
+    Returns
+    -------
+    tuple of Finding
+    """
+    loads = [load for question in questions for load in question.model.loads]
+    idle = dict.fromkeys(load.label for load in loads if load.strips is not None)
+    if not idle or any(question.procedure.depends_on_path for question in questions):
+        return ()
+    alone = all(load.strips is not None for load in loads)
+    return (
+        Finding(
+            code="L13",
+            severity=Severity.WARNING if alone else Severity.NOTE,
+            message=f"{' and '.join(idle)} changes no equilibrium, only motion and natural frequencies"
+            f"{'; nothing else drives the actuator' if alone else ''}.",
+            advice="State the buoyancy as a HydrostaticPressure, [[loads.liquids]] in a job; or follow the motion with "
+            "the procedure 'dynamic'.",
+        ),
     )
