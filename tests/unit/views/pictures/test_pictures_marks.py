@@ -89,7 +89,7 @@ def test_a_half_has_the_marks_of_the_whole_and_none_of_its_mirror_plane_and_pres
 
 
 def drawn(support, load, color):
-    """Pixels (k, 2) of a picture that have a color, from the upper left."""
+    """Pixels (k, 2) of a picture that have a color, from the upper left, its shape, and its texts."""
     at = fields([support], [load])
     view = shared_view([at], width=500)
     figure = state_figure(at, view)
@@ -97,19 +97,21 @@ def drawn(support, load, color):
     figure.canvas.draw()
     image = np.asarray(figure.canvas.buffer_rgba())[..., :3] / 255
     near = np.abs(image - to_rgb(color)).max(axis=2) < 0.02
-    return np.argwhere(near[: -3 * 50])[:, ::-1], image.shape
+    return np.argwhere(near[: -3 * 50])[:, ::-1], image.shape, [text.get_text() for text in figure.texts]
 
 
 def test_marks_and_a_legend_are_drawn_in_their_colors():
-    places, (height, width, _) = drawn(tg.Fixed("fixed"), tg.loads.Force(CORNER, (0, 0, -1)), COLORS["force"])
+    places, (height, width, _), texts = drawn(tg.Fixed("fixed"), tg.loads.Force(CORNER, (0, 0, -1)), COLORS["force"])
+    assert {"fixed", "force"} <= set(texts)
+    assert not {"roller", "spring", "moved", "moment"} & set(texts)
     assert len(places) > 20
     assert places[:, 0].mean() > 0.8 * width
     assert places[:, 1].mean() < 0.5 * height
-    green, _ = drawn(tg.Fixed("fixed"), tg.loads.Force(CORNER, (0, 0, -1)), COLORS["fixed"])
+    green, *_ = drawn(tg.Fixed("fixed"), tg.loads.Force(CORNER, (0, 0, -1)), COLORS["fixed"])
     assert green[:, 0].min() < 0.15 * width
 
 
 def test_marks_behind_the_actuator_are_paler():
     behind = NodesAt("behind", near=(0, -0, 0))
-    green, _ = drawn(tg.Fixed(behind), tg.Pressure("cavity", 1e3), COLORS["fixed"])
+    green, *_ = drawn(tg.Fixed(behind), tg.Pressure("cavity", 1e3), COLORS["fixed"])
     assert not len(green)

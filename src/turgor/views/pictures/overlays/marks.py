@@ -65,8 +65,7 @@ def marks_of(at: StateFields) -> tuple[Mark, ...]:
 
 def _rows(model: Model, images: Sequence[Image]) -> Iterator[Row]:
     for support in model.supports:
-        if not support.mirror:
-            yield from _of_support(model, support, images)
+        yield from _of_support(model, support, images)
     for name, point in model.points.items():
         place = _points_at(model, name, images)
         yield from ((SPRING, place, np.eye(3)[[axis]]) for axis in range(3) if point.stiffness[axis])
