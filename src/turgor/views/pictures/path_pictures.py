@@ -9,8 +9,8 @@ from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.response import Response
 from turgor.views.pictures.colors import BOND_DAMAGE, CONTACT_PRESSURE
-from turgor.views.pictures.overlays.mark_glyphs import draw_marks
-from turgor.views.pictures.overlays.marks import marks_of
+from turgor.views.pictures.marks.glyphs import draw_marks
+from turgor.views.pictures.marks.listing import marks_of
 from turgor.views.pictures.state_picture import picture_title, shared_view, state_figure
 
 #: Caption of each picture of a path.

@@ -9,8 +9,8 @@ import turgor as tg
 from turgor.core.model.model import Model
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.units import mm
-from turgor.views.pictures.overlays.mark_glyphs import COLORS, draw_marks
-from turgor.views.pictures.overlays.marks import marks_of
+from turgor.views.pictures.marks.glyphs import COLORS, draw_marks
+from turgor.views.pictures.marks.listing import marks_of
 from turgor.views.pictures.settings import MARKS
 from turgor.views.pictures.state_picture import shared_view, state_figure
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.views.pictures.framing import bands, scale_of
-from turgor.views.pictures.overlays.marks import FIXED, FORCE, MOMENT, MOVED, ROLLER, SPRING, Mark
+from turgor.views.pictures.marks.listing import FIXED, FORCE, MOMENT, MOVED, ROLLER, SPRING, Mark
 from turgor.views.pictures.overlays.obstacle_skin import obstacle_skin
 from turgor.views.pictures.raycast import Raster, Scene
 from turgor.views.pictures.rendering import View, frame
