@@ -9,6 +9,8 @@ from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.solvers.solution import Solution
 from turgor.foundation.response import Response
 from turgor.views.pictures.colors import BOND_DAMAGE, CONTACT_PRESSURE
+from turgor.views.pictures.marks.glyphs import draw_marks
+from turgor.views.pictures.marks.listing import marks_of
 from turgor.views.pictures.state_picture import picture_title, shared_view, state_figure
 
 #: Caption of each picture of a path.
@@ -31,8 +33,8 @@ def pictured(of: Solution) -> tuple[str, ...]:
 def path_figures(of: PathFields, response: Response, name: str) -> Iterator[tuple[str, Figure]]:
     """Draw the first and the last state with the same view, scale and colors.
 
-    The outline of the first state is drawn behind the last. If there is contact in the last state, a third picture
-    shows the contact pressure; another one the damage of bonds.
+    The first picture has marks of supports and loads. The outline of the first state is drawn behind the last. If there
+    is contact in the last state, a third picture shows the contact pressure; another one the damage of bonds.
 
     Parameters
     ----------
@@ -50,7 +52,9 @@ def path_figures(of: PathFields, response: Response, name: str) -> Iterator[tupl
     """
     first, last, kinds = of.at(0), of.at(-1), pictured(of.solution)
     view, end = shared_view([first, last]), picture_title(response, -1, name)
-    yield "undeformed", state_figure(first, view, title=picture_title(response, 0, name))
+    undeformed = state_figure(first, view, title=picture_title(response, 0, name))
+    draw_marks(undeformed, first, view, marks_of(first))
+    yield "undeformed", undeformed
     if "deformed" in kinds:
         yield "deformed", state_figure(last, view, title=end, ghost=first)
     if "contact" in kinds:

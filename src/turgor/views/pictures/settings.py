@@ -109,3 +109,38 @@ class FramingSettings:
 
 
 FRAMING = FramingSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class MarkSettings:
+    """Marks of supports and loads. Lengths are pixels of a picture of full width.
+
+    Parameters
+    ----------
+    most : int
+        Most marks of one face or place: enough for its corners, and few enough to see the actuator.
+    apart : float
+        Marks of one face are at least this share of the size of the actuator apart, so that they do not touch.
+    factors : int
+        Load factors, 0 first, among which the largest prescribed displacement is looked for.
+    size, arrow : int
+        Height of a triangle, and length of an arrow or a spring; an arrow fits into the margin.
+    shortest : float
+        A foreshortened arrow has at least this share of its length, so that there is a line behind its head.
+    head_on : float
+        Directions of which less than this share lies in the picture are drawn as a circle.
+    hidden : float
+        Opacity of marks behind the actuator.
+    """
+
+    most: int = 6
+    apart: float = 0.1
+    factors: int = 9
+    size: int = 18
+    arrow: int = 44
+    shortest: float = 0.55
+    head_on: float = 0.1
+    hidden: float = 0.35
+
+
+MARKS = MarkSettings()

@@ -77,6 +77,11 @@ class Hanging(Load):
         return x, y, z
 
     @property
+    def arrow(self) -> tuple[float, float, float]:
+        """The weight."""
+        return self.force
+
+    @property
     def words(self) -> str:
         """Mass, point and direction."""
         along = ", ".join(f"{part:g}" for part in self.direction)

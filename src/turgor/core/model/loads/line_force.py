@@ -8,6 +8,7 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, History, checked
 from turgor.core.model.loads.images import refuse_in_sectors
 from turgor.core.model.loads.load import Array, Load, NodalForces
+from turgor.core.model.places import NodesAt
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantities, vector
 
@@ -60,6 +61,11 @@ class LineForce(Load):
     def place(self) -> str:
         """Both faces."""
         return " and ".join(self.faces)
+
+    @property
+    def spot(self) -> NodesAt:
+        """The nodes that both faces have."""
+        return NodesAt("line", edge=self.faces)
 
     @property
     def label(self) -> str:

@@ -260,6 +260,17 @@ class Load:
         return None
 
     @property
+    def spot(self) -> str | NodesAt | Vector:
+        """The face, place, reference point or point [m] at which it acts; empty of a load on all of a body."""
+        spot: str | NodesAt = getattr(self, "face", getattr(self, "point", ""))
+        return spot
+
+    @property
+    def arrow(self) -> Vector | None:
+        """Force, moment or traction at its spot, whose arrow pictures show; None of a load without such a vector."""
+        return getattr(self, "vector", None)
+
+    @property
     def turning(self) -> Turning | None:
         """The moment or follower force on a reference point; None of other loads."""
         return None

@@ -60,6 +60,11 @@ class PointForce(Load):
         return str(self.at)
 
     @property
+    def spot(self) -> tuple[float, float, float]:
+        """The point."""
+        return self.at
+
+    @property
     def label(self) -> str:
         """Its class; the point would be long."""
         return "PointForce"

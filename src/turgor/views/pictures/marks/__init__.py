@@ -1,0 +1,1 @@
+"""Marks of supports and loads in pictures of an actuator at rest."""
