@@ -154,6 +154,18 @@ class Obstacle:
             return Pose(place)
         return Pose(place, rotation_of(_along(self.rotation, load_factor)), np.array(self.about or self.shape.middle))
 
+    def outline(self, pose: Pose, extent: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+        """Return its triangles in a pose: points (p, 3) [m] and triangles (t, 3).
+
+        Planes and endless cylinders end a little beyond the extent (2, 3) of the actuator.
+        """
+        if pose.turn is None:
+            return self.shape.outline(pose.place, extent)
+        corners = np.array([[extent[i, 0], extent[j, 1], extent[k, 2]] for i, j, k in np.ndindex(2, 2, 2)])
+        seen = pose.at_first(corners)
+        points, triangles = self.shape.outline(np.zeros(3), np.stack([seen.min(axis=0), seen.max(axis=0)]))
+        return pose.moved(points), triangles
+
     def turned_at(self, load_factor: float) -> Path:
         """Return a rotation that stays what it is at a load factor."""
         x, y, z = (float(each) for each in _along(self.rotation, load_factor))
