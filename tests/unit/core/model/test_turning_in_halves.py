@@ -45,3 +45,8 @@ def test_a_cut_obstacle_that_turns_about_another_axis_is_refused(shape, more) ->
 )
 def test_what_stays_its_own_image_or_has_one_may_turn(shape, axis) -> None:
     check_turning(HALF, turned(shape, axis))
+
+
+def test_load_factors_that_do_not_rise_are_named_without_the_angles() -> None:
+    with refused("rotation is given at the load factors 0, 0.7, 0.5;", "rise from 0 to 1"):
+        Obstacle(name="knob", shape=AWAY, rotation=[(at, (0, 1, 0)) for at in (0, 0.7, 0.5)])

@@ -14,6 +14,7 @@ from turgor.core.meshing.exchange.formats.raw import KINDS, Block
 from turgor.core.meshing.revolved.plane_cells import plane_cells
 from turgor.job.output.lock import lock_text
 from turgor.units import mm
+from turgor.views.report import describe
 
 JOB = """
 [mesh]
@@ -71,6 +72,7 @@ def test_plane_strain_finds_the_cavity_and_the_named_edges(tmp_path: Path) -> No
         nodes = mesh.points[mesh.face_nodes(face)]
         assert np.allclose(nodes[:, 0], x) and np.ptp(nodes[:, 2]) == pytest.approx(12 * mm)
     assert mesh.findings[0].code == "G20"
+    assert "slice between two mirror planes" in dict(describe.mesh(mesh, None))["cells"]
     (tmp_path / "again.toml").write_text(lock_text(job, {}), encoding="utf-8")
     assert tg.jobs.read_job(tmp_path / "again.toml").actuator == job.actuator
 
@@ -78,6 +80,7 @@ def test_plane_strain_finds_the_cavity_and_the_named_edges(tmp_path: Path) -> No
 def test_an_axisymmetric_mesh_is_turned_about_the_axis_of_its_file(tmp_path: Path) -> None:
     job = job_of(tmp_path, 'axisymmetric = "x"')
     mesh = job.actuator.read()
+    assert "body of revolution about x" in dict(describe.mesh(mesh, None))["cells"]
     assert mesh.revolved == "x" and set(mesh.symmetry_faces) == {"symmetry_y", "symmetry_z"}
     exact = np.pi * (40 * 12**2 - 32 * (8**2 - 4**2)) * mm**3  # Pappus
     geometry = job.actuator.build()
@@ -128,7 +131,7 @@ def test_curved_cells_are_cut_on_their_curves() -> None:
     [
         ('axisymmetric = "z"', ("frame.inp", "across z")),
         ('axisymmetric = "r"', ("'r'", "x, y, z")),
-        ('plane_strain = "0 mm"', ("thickness", "0 m", "positive")),
+        ('plane_strain = "0 mm"', ("thickness", "0 mm", "positive")),
         ('plane_strain = "1 mm"\naxisymmetric = "x"', ("plane_strain", "axisymmetric")),
         ('plane_strain = "1 mm"\nmirror = ["y"]', ("actuator.mirror", "volume meshes")),
         ("", ("2 triangle3", "plane strain", "axisymmetric")),

@@ -280,5 +280,8 @@ def _path(name: str, key: str, path: Iterable[Any]) -> Path:
             f"{subject}; points (load factor, {what}) are needed, such as [(0, (0, 0, 0)), (1, (0, 0, 0.01))]."
         ) from None
     if points and (points[0][0] != 0 or points[-1][0] != 1 or not all(a < b for (a, _), (b, _) in pairwise(points))):
-        raise TurgorError(f"{subject}; the load factors must rise from 0 to 1.")
+        factors = ", ".join(f"{factor:g}" for factor, _ in points)
+        raise TurgorError(
+            f"obstacle '{name}': {key} is given at the load factors {factors}; they must rise from 0 to 1."
+        )
     return points
