@@ -48,5 +48,5 @@ def test_what_stays_its_own_image_or_has_one_may_turn(shape, axis) -> None:
 
 
 def test_load_factors_that_do_not_rise_are_named_without_the_angles() -> None:
-    with refused("rotation is given at the load factors 0, 0.7, 0.5;", "rise from 0 to 1"):
+    with refused("rotation", "0, 0.7, 0.5", "rise"):
         Obstacle(name="knob", shape=AWAY, rotation=[(at, (0, 1, 0)) for at in (0, 0.7, 0.5)])
