@@ -11,6 +11,7 @@ import turgor as tg
 from refused import refused
 from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.core.meshing.exchange.formats.raw import KINDS, Block
+from turgor.core.meshing.exchange.formats.write_stl import closed_surface
 from turgor.core.meshing.revolved.plane_cells import plane_cells
 from turgor.job.output.lock import lock_text
 from turgor.units import mm
@@ -96,7 +97,10 @@ def test_an_axisymmetric_mesh_is_turned_about_the_axis_of_its_file(tmp_path: Pat
 def test_a_cavity_may_end_at_the_axis(tmp_path: Path) -> None:
     mesh = job_of(tmp_path, 'axisymmetric = "x"', hole=(0, 4)).actuator.read()
     assert mesh.cavities == ("cavity",) and {"tip", "outside"} <= set(mesh.faces)
-    assert cavity_volume(mesh, "cavity") == pytest.approx(np.pi * 32 * 8**2 * mm**3, rel=1e-6)
+    exact = np.pi * 32 * 8**2 * mm**3
+    assert cavity_volume(mesh, "cavity") == pytest.approx(exact, rel=1e-6)
+    assert closed_surface(mesh, "cavity").volume == pytest.approx(exact, rel=0.03)  # flat triangles around the axis
+    assert closed_surface(mesh).open_edges == 0
 
 
 def test_the_middle_of_a_nine_node_cell_stays() -> None:
