@@ -16,7 +16,7 @@ from turgor.core.model.checks.films import check_films
 from turgor.core.model.checks.named_points import check_points, points_of
 from turgor.core.model.checks.orientations import check_oriented
 from turgor.core.model.checks.sheet_states import check_sheet_states
-from turgor.core.model.checks.symmetry import check_not_cut, check_uncut_shell, check_wedge
+from turgor.core.model.checks.symmetry import check_not_cut, check_turning, check_uncut_shell, check_wedge
 from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import Fibers
 from turgor.core.model.loads import Load, Pressure, pressures_among
@@ -157,6 +157,7 @@ class Model(Saved, Shown):
     def _check_faces(self) -> None:
         check_points(self.mesh, self.supports)
         check_wedge(self.mesh, self.reinforcements, self.contact)
+        check_turning(self.mesh, self.contact)
         for name, sheet in self.membranes.items():
             if isinstance(sheet, Shell):
                 check_uncut_shell(self.mesh, name)

@@ -61,11 +61,8 @@ def contact(model: Model) -> list[str]:
 
 def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:
     """Counts of a mesh and, where it was measured, its quality."""
-    share = {1: "whole actuator", 2: "half, mirrored", 4: "quarter, mirrored"}.get(of.symmetry_factor, "part, mirrored")
-    if of.wedge is not None:
-        share = f"wedge of 1/{of.wedge.fold} about {of.wedge.axis}"
     rows = [
-        ("cells", f"{len(of.cells):,} {of.cell_type.name.replace('hedron', 'hedra')} ({share})"),
+        ("cells", f"{len(of.cells):,} {of.cell_type.name.replace('hedron', 'hedra')} ({_share(of)})"),
         ("nodes", f"{len(of.points):,}"),
         ("unknowns", f"{of.unknown_count:,} displacements and mean stresses"),
         ("regions", ", ".join(f"{name} {len(cells):,}" for name, cells in of.regions.items())),
@@ -80,6 +77,18 @@ def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:
             ("curvature", f"worst Jacobian ratio {quality.min_jacobian_ratio:.2f} (1 is straight, 0 is folded)"),
         ]
     return rows
+
+
+def _share(of: Mesh) -> str:
+    """Which part of the actuator is meshed, in words."""
+    if of.wedge is not None:
+        return f"wedge of 1/{of.wedge.fold} about {of.wedge.axis}"
+    if of.revolved:
+        return f"body of revolution about {of.revolved}"
+    normals = [axis for axis, _ in of.mirror_planes]
+    if len(set(normals)) < len(normals):
+        return "slice between two mirror planes"
+    return {1: "whole actuator", 2: "half, mirrored", 4: "quarter, mirrored"}.get(of.symmetry_factor, "part, mirrored")
 
 
 def materials(model: Model) -> list[MaterialText]:

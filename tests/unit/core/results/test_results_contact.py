@@ -15,7 +15,7 @@ from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, Sphere
 from turgor.core.model.supports import Fixed
 from turgor.core.results.drive import pressures_in
-from turgor.core.results.fields.contact import contact_results, drawn_obstacles, extents_of, outline_of, pose_of
+from turgor.core.results.fields.contact import contact_results, drawn_obstacles, extents_of, pose_of
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.files.vtu import write_series, write_state
 from turgor.core.results.measures.measures import measure
@@ -177,7 +177,7 @@ def test_a_turned_plane_is_drawn_as_far_as_the_actuator():
     wall = Obstacle(name="wall", shape=Plane(point=(0, 0, 0), normal=(0, 0, 1)), about=(0, 0, 0),
                     rotation=[(0, (0, 0, 0)), (1, (0, np.pi / 2, 0))])  # fmt: skip
     extent = np.array([[1.0, 2, 3], [2, 3, 9]])
-    points, triangles = outline_of(wall, wall.pose(1.0), extent)
+    points, triangles = wall.outline(wall.pose(1.0), extent)
     assert points[:, 0] == pytest.approx(0)
     assert (points[:, 1:].min(axis=0) < [2, 3]).all()
     assert (points[:, 1:].max(axis=0) > [3, 9]).all()

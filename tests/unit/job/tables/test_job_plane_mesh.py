@@ -11,9 +11,11 @@ import turgor as tg
 from refused import refused
 from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.core.meshing.exchange.formats.raw import KINDS, Block
+from turgor.core.meshing.exchange.formats.write_stl import closed_surface
 from turgor.core.meshing.revolved.plane_cells import plane_cells
 from turgor.job.output.lock import lock_text
 from turgor.units import mm
+from turgor.views.report import describe
 
 JOB = """
 [mesh]
@@ -71,6 +73,7 @@ def test_plane_strain_finds_the_cavity_and_the_named_edges(tmp_path: Path) -> No
         nodes = mesh.points[mesh.face_nodes(face)]
         assert np.allclose(nodes[:, 0], x) and np.ptp(nodes[:, 2]) == pytest.approx(12 * mm)
     assert mesh.findings[0].code == "G20"
+    assert "slice between two mirror planes" in dict(describe.mesh(mesh, None))["cells"]
     (tmp_path / "again.toml").write_text(lock_text(job, {}), encoding="utf-8")
     assert tg.jobs.read_job(tmp_path / "again.toml").actuator == job.actuator
 
@@ -78,6 +81,7 @@ def test_plane_strain_finds_the_cavity_and_the_named_edges(tmp_path: Path) -> No
 def test_an_axisymmetric_mesh_is_turned_about_the_axis_of_its_file(tmp_path: Path) -> None:
     job = job_of(tmp_path, 'axisymmetric = "x"')
     mesh = job.actuator.read()
+    assert "body of revolution about x" in dict(describe.mesh(mesh, None))["cells"]
     assert mesh.revolved == "x" and set(mesh.symmetry_faces) == {"symmetry_y", "symmetry_z"}
     exact = np.pi * (40 * 12**2 - 32 * (8**2 - 4**2)) * mm**3  # Pappus
     geometry = job.actuator.build()
@@ -93,7 +97,10 @@ def test_an_axisymmetric_mesh_is_turned_about_the_axis_of_its_file(tmp_path: Pat
 def test_a_cavity_may_end_at_the_axis(tmp_path: Path) -> None:
     mesh = job_of(tmp_path, 'axisymmetric = "x"', hole=(0, 4)).actuator.read()
     assert mesh.cavities == ("cavity",) and {"tip", "outside"} <= set(mesh.faces)
-    assert cavity_volume(mesh, "cavity") == pytest.approx(np.pi * 32 * 8**2 * mm**3, rel=1e-6)
+    exact = np.pi * 32 * 8**2 * mm**3
+    assert cavity_volume(mesh, "cavity") == pytest.approx(exact, rel=1e-6)
+    assert closed_surface(mesh, "cavity").volume == pytest.approx(exact, rel=0.03)  # flat triangles around the axis
+    assert closed_surface(mesh).open_edges == 0
 
 
 def test_the_middle_of_a_nine_node_cell_stays() -> None:
@@ -128,7 +135,7 @@ def test_curved_cells_are_cut_on_their_curves() -> None:
     [
         ('axisymmetric = "z"', ("frame.inp", "across z")),
         ('axisymmetric = "r"', ("'r'", "x, y, z")),
-        ('plane_strain = "0 mm"', ("thickness", "0 m", "positive")),
+        ('plane_strain = "0 mm"', ("thickness", "0 mm", "positive")),
         ('plane_strain = "1 mm"\naxisymmetric = "x"', ("plane_strain", "axisymmetric")),
         ('plane_strain = "1 mm"\nmirror = ["y"]', ("actuator.mirror", "volume meshes")),
         ("", ("2 triangle3", "plane strain", "axisymmetric")),

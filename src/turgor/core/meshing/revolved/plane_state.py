@@ -5,6 +5,7 @@ from math import isfinite
 from typing import TypeAlias
 
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.units import mm
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -25,14 +26,14 @@ class PlaneStrain:
     --------
     >>> PlaneStrain(thickness=0.0)
     Traceback (most recent call last):
-    turgor.TurgorError: thickness of plane strain is 0 m; it must be positive.
+    turgor.TurgorError: thickness of plane strain is 0 mm; it must be positive.
     """
 
     thickness: float
 
     def __post_init__(self) -> None:
         if not (isfinite(self.thickness) and self.thickness > 0):
-            raise TurgorError(f"thickness of plane strain is {self.thickness:g} m; it must be positive.")
+            raise TurgorError(f"thickness of plane strain is {self.thickness / mm:g} mm; it must be positive.")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

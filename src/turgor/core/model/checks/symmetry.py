@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from turgor.core.geometry.wedge import HIGH, LOW, Wedge
 from turgor.core.meshing.mesh import Mesh
@@ -12,6 +13,10 @@ from turgor.core.model.loads.images import WHOLE
 from turgor.core.model.obstacles import Obstacle
 from turgor.core.model.obstacles.rigid_shape import SAME, across
 from turgor.foundation.errors import TurgorError
+from turgor.units import mm
+
+#: Load factors at which it is seen whether a mirror plane cuts an obstacle; and those of the points of its ways.
+PLACES = 9
 
 
 def check_uncut_shell(mesh: Mesh, face: str) -> None:
@@ -64,6 +69,42 @@ def check_wedge(mesh: Mesh, reinforcements: Sequence[Fibers], contact: Contact) 
                 f"axis {wedge.axis} of the wedge, as planes across it are, and balls and round bars on it that "
                 f"move along it; {WHOLE}"
             )
+
+
+def check_turning(mesh: Mesh, contact: Contact) -> None:
+    """Refuse an obstacle that a mirror plane cuts and that turns about another axis than its normal.
+
+    Its image would turn the other way, and it would be no rigid body.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    contact : Contact
+
+    Raises
+    ------
+    TurgorError
+    """
+    extent = np.stack([mesh.points.min(axis=0), mesh.points.max(axis=0)])
+    for obstacle in contact.obstacles:
+        turns = np.abs([vector for _, vector in obstacle.rotation]).reshape(-1, 3).max(axis=0, initial=0.0) > SAME
+        for axis, level in mesh.mirror_planes if turns.any() else ():
+            if np.delete(turns, axis).any() and _cut(obstacle, axis, level, extent):
+                raise TurgorError(
+                    f"obstacle '{obstacle.name}': rotation is about {' and '.join(np.array(list('xyz'))[turns])}, and "
+                    f"the mirror plane {'xyz'[axis]} = {level / mm:.4g} mm cuts it: its image would turn the other "
+                    f"way. Turn it about {'xyz'[axis]}, or {WHOLE}"
+                )
+
+
+def _cut(obstacle: Obstacle, axis: int, level: float, extent: NDArray[np.float64]) -> bool:
+    """Whether an obstacle lies on both sides of a mirror plane anywhere on its way."""
+    margin = SAME * float(np.ptp(extent, axis=0).max())
+    for load_factor in np.unique([*np.linspace(0.0, 1.0, PLACES), *obstacle.stops]):
+        offset = obstacle.outline(obstacle.pose(float(load_factor)), extent)[0][:, axis] - level
+        if offset.min() < -margin and offset.max() > margin:
+            return True
+    return False
 
 
 def check_not_cut(mesh: Mesh, what: str, face: str) -> None:

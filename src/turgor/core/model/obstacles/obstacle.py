@@ -154,6 +154,18 @@ class Obstacle:
             return Pose(place)
         return Pose(place, rotation_of(_along(self.rotation, load_factor)), np.array(self.about or self.shape.middle))
 
+    def outline(self, pose: Pose, extent: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+        """Return its triangles in a pose: points (p, 3) [m] and triangles (t, 3).
+
+        Planes and endless cylinders end a little beyond the extent (2, 3) of the actuator.
+        """
+        if pose.turn is None:
+            return self.shape.outline(pose.place, extent)
+        corners = np.array([[extent[i, 0], extent[j, 1], extent[k, 2]] for i, j, k in np.ndindex(2, 2, 2)])
+        seen = pose.at_first(corners)
+        points, triangles = self.shape.outline(np.zeros(3), np.stack([seen.min(axis=0), seen.max(axis=0)]))
+        return pose.moved(points), triangles
+
     def turned_at(self, load_factor: float) -> Path:
         """Return a rotation that stays what it is at a load factor."""
         x, y, z = (float(each) for each in _along(self.rotation, load_factor))
@@ -268,5 +280,8 @@ def _path(name: str, key: str, path: Iterable[Any]) -> Path:
             f"{subject}; points (load factor, {what}) are needed, such as [(0, (0, 0, 0)), (1, (0, 0, 0.01))]."
         ) from None
     if points and (points[0][0] != 0 or points[-1][0] != 1 or not all(a < b for (a, _), (b, _) in pairwise(points))):
-        raise TurgorError(f"{subject}; the load factors must rise from 0 to 1.")
+        factors = ", ".join(f"{factor:g}" for factor, _ in points)
+        raise TurgorError(
+            f"obstacle '{name}': {key} is given at the load factors {factors}; they must rise from 0 to 1."
+        )
     return points

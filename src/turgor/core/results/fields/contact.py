@@ -113,19 +113,6 @@ def contact_moment(at: StateFields, name: str) -> Array:
     return moment if at.mesh.wedge is None else at.mesh.wedge.mean(moment)
 
 
-def outline_of(obstacle: Obstacle, pose: Pose, extent: Array) -> tuple[Array, NDArray[np.int64]]:
-    """Triangles of an obstacle in a pose: points (p, 3) [m] and triangles (t, 3).
-
-    Planes and endless cylinders end a little beyond the extent (2, 3) of the actuator.
-    """
-    if pose.turn is None:
-        return obstacle.shape.outline(pose.place, extent)
-    corners = np.array([[extent[i, 0], extent[j, 1], extent[k, 2]] for i, j, k in np.ndindex(2, 2, 2)])
-    seen = pose.at_first(corners)
-    points, triangles = obstacle.shape.outline(np.zeros(3), np.stack([seen.min(axis=0), seen.max(axis=0)]))
-    return pose.moved(points), triangles
-
-
 def drawn_obstacles(model: Model) -> tuple[Obstacle, ...]:
     """Return the obstacles that are bodies: all but the mirror planes between the fingers of a grasp."""
     return tuple(each for each in model.contact.obstacles if each.drawn)

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.results.fields.contact import contact_force, drawn_obstacles, outline_of, pose_of
+from turgor.core.results.fields.contact import contact_force, drawn_obstacles, pose_of
 from turgor.core.results.fields.fibers import fiber_results
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.files.vtu_xml import VtuArray, numbered, simple_grid
@@ -57,7 +57,7 @@ def obstacles_text(at: StateFields, extents: Mapping[str, NDArray[np.float64]]) 
         return ""
     points, triangles, number, force, start = [], [], [], [], 0
     for k, obstacle in enumerate(obstacles):
-        here, cells = outline_of(obstacle, pose_of(at, obstacle), extents[obstacle.face or ""])
+        here, cells = obstacle.outline(pose_of(at, obstacle), extents[obstacle.face or ""])
         points.append(here)
         triangles.append(cells + start)
         number.append(np.full(len(cells), k, dtype="i4"))

@@ -285,7 +285,10 @@ def _heading(at: StateFields, face: str, points: Array) -> float:
     """Direction of a face's vector area in the x-z plane [rad], counted from +x towards −z."""
     area = at.facts.of_whole(surfaces.vector_area(points, at.mesh.face(face)))
     if not np.hypot(area[0], area[2]) > 1e-6 * surfaces.area(at.mesh.points, at.mesh.face(face)):
-        raise TurgorError(f"face '{face}' has no normal in the x-z plane, the plane of bending.")
+        raise TurgorError(
+            f"face '{face}' has no normal in the x-z plane, the plane of bending; turn the part so that it lies along "
+            "x, with the axes of its file, or list other measures (measures under [output])."
+        )
     return float(np.arctan2(-area[2], area[0]))
 
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.cad.symmetry.whole import ITSELF, MirrorPlane
 from turgor.core.meshing.bodies.groups import groups_of
-from turgor.core.results.fields.contact import drawn_obstacles, outline_of, pose_of
+from turgor.core.results.fields.contact import drawn_obstacles, pose_of
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.views.pictures.raycast import Camera, Hits
 from turgor.views.pictures.settings import LOOK, RENDERING
@@ -38,7 +38,7 @@ def obstacle_skin(at: StateFields, extents: Mapping[str, Array]) -> Skin | None:
     """
     skins = []
     for obstacle in drawn_obstacles(at.model):
-        surface = outline_of(obstacle, pose_of(at, obstacle), extents[obstacle.face or ""])
+        surface = obstacle.outline(pose_of(at, obstacle), extents[obstacle.face or ""])
         skins.append(_mirrored(_skin(*surface), at.facts))
     return joined(skins) if skins else None
 

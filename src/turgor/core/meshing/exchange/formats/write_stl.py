@@ -94,7 +94,8 @@ def closed_surface(source: Geometry | Mesh, face: str | None = None, whole: bool
     if closed.open_edges:
         raise TurgorError(
             f"the surface {f'of face {face!r} ' if face else ''}of '{surface.name}' is open: {closed.open_edges} of "
-            "its edges have not two triangles; a cavity must be closed, and a half be written whole."
+            "its edges have not two triangles; a cavity must be closed, and a half be written whole; a part in "
+            "plane strain has no ends."
         )
     return closed
 
@@ -111,7 +112,18 @@ def _of_mesh(mesh: Mesh) -> _Surface:
     named = {tuple(sorted(t)) for flat in faces.values() for t in flat.tolist()}
     unnamed = [t for t in outer.tolist() if tuple(sorted(t)) not in named]
     rest = np.array(unnamed, dtype=np.int64).reshape(-1, 3)
-    return _Surface(mesh.name, mesh.points, faces, rest, mesh.cut_faces, mesh.wedge)
+    return _Surface(mesh.name, _without_pinhole(mesh), faces, rest, mesh.cut_faces, mesh.wedge)
+
+
+def _without_pinhole(mesh: Mesh) -> Array:
+    """Nodes (n, 3) with those around the thin hole of a body of revolution on its axis, where the hole vanishes."""
+    if not mesh.revolved:
+        return mesh.points
+    points = mesh.points.copy()
+    for axis, level in mesh.mirror_planes:
+        if "xyz"[axis] != mesh.revolved:
+            points[mesh.on_axis, axis] = level
+    return points
 
 
 def _flat(sides: Ints) -> Ints:
@@ -161,4 +173,5 @@ def _mirrored(surface: _Surface, triangles: Ints, mirrors: Iterable[str]) -> Tri
     number = np.arange(len(points))
     np.minimum.at(number, pairs[:, 1], pairs[:, 0])
     unique, place = np.unique(number, return_inverse=True)
-    return Triangles(points=points[unique], triangles=np.asarray(place).reshape(-1, 3))
+    rows = np.asarray(place).reshape(-1, 3)
+    return Triangles(points=points[unique], triangles=rows[(rows != np.roll(rows, 1, axis=1)).all(axis=1)])
