@@ -18,8 +18,8 @@ class Morison(Load):
     """Added mass and drag of a slender body that moves in a liquid at rest: Morison's equation, by strip theory.
 
     Each section of the body is on its own: it carries along ``added_mass`` times the liquid that it displaces, and has
-    a drag of ½ ``density`` ``drag`` ``D |v| v`` per length, both for motion across the body's axis. D is the diameter of
-    a circle with the perimeter of the section. It acts in motion only, not on equilibria: buoyancy is a
+    a drag of ½ ``density`` ``drag`` ``D |v| v`` per length, both for motion across the body's axis. D is the diameter
+    of a circle with the perimeter of the section. It acts in motion only, not on equilibria: buoyancy is a
     `HydrostaticPressure`.
 
     Parameters
