@@ -148,7 +148,7 @@ def test_the_page_shows_the_example():
         (root / name).read_text(encoding="utf-8") for name in ("docs/howto/cad.md", "examples/cad_file.toml")
     )
     blocks, (code,) = (re.findall(rf"```{kind}\n(.*?)```", page, re.DOTALL) for kind in ("toml", "python"))
-    shown, _, _, split, _ = blocks
+    shown, _, _, split, _, _ = blocks
     stated = tomllib.loads(example)
     assert tomllib.loads(shown)["actuator"] == stated["actuator"]
     assert set(tomllib.loads(split)["actuator"]["split"]) == {"thickness"}

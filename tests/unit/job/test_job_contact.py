@@ -274,7 +274,7 @@ MISTAKES = [
     ("friction = 0.2", "path = [[0, [0, 0, 0]], ['5 mm', [0, 0, 0]]]",
      [":26: obstacles.plate.path:", "['5 mm', [0, 0, 0]]", "[load factor, [x, y, z]]"]),
     ("friction = 0.2", "path = [[0, [0, 0, 0]], [0.5, [0, 0, 0]]]",
-     [":26: obstacles.plate.path:", "(0.5, (0.0, 0.0, 0.0))", "0 to 1"]),
+     [":26: obstacles.plate.path:", "load factors 0, 0.5;", "0 to 1"]),
     (PLATE, '[obstacles.box]\nshape = "box"\ncenter = [0, 0, 0]\nsize = ["1 mm", "1 mm", "1 mm"]\nrounding = "2 mm"',
      [":26: obstacles.box.rounding:", "2 mm", "0.5 mm"]),
     (PLATE, '[obstacles.ball]\nshape = "sphere"\ncenter = [0, 0, 0]\nradius = "0 mm"',
@@ -305,7 +305,8 @@ def test_moved_obstacle_drives_without_loads(tmp_path):
 
 
 def test_contact_reaches_the_model_and_the_report(tmp_path):
-    job = read(tmp_path, BARE + EVERY_KEY)
+    whole = BARE.replace('length = "10 mm"', 'length = "10 mm"\nsymmetric = false')  # a half refuses the turning block
+    job = read(tmp_path, whole + EVERY_KEY)
     model, _ = prepare(job)
     assert model.contact == job.contact
     assert describe.contact(model) == [
