@@ -31,12 +31,12 @@ def loads_of(
     path : Path
         What the deck prescribes.
     names : MeshNames
-        Takes the names of faces and nodes.
+        Gets the faces and node sets that loads need.
     axes : NodeAxes
         Directions of the degrees of freedom.
     units : DeckUnits
     account : Account
-        Takes what has no form.
+        Gets the keywords that a job cannot express.
     images : int
         How many images of the deck the whole body is; forces count for the whole.
     """

@@ -21,13 +21,11 @@ from turgor.core.materials.laws.laws import (
 from turgor.core.materials.material import Material
 from turgor.core.meshing.exchange.formats.abaqus import Keyword
 from turgor.core.meshing.exchange.formats.raw import numbers
+from turgor.core.model.inp.materials import POLYNOMIAL
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.source import Source
 from turgor.job.decks.account import Account
 from turgor.job.decks.units import DeckUnits
-
-#: Exponents of the coefficients of a polynomial law in the order of a deck.
-_POLYNOMIAL = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3))
 
 #: Names of the laws of ``*HYPERELASTIC`` that stand as parameters.
 _LAWS = (
@@ -199,7 +197,7 @@ def _scaled(values: Iterable[float], stress: float) -> list[float]:
 
 
 def _rivlin(values: Sequence[float], stress: float) -> GeneralizedRivlin:
-    terms = zip(_POLYNOMIAL, _scaled(values, stress), strict=False)
+    terms = zip(POLYNOMIAL, _scaled(values, stress), strict=False)
     return GeneralizedRivlin(coefficients=tuple((i, j, C) for (i, j), C in terms if C))
 
 

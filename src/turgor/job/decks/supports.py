@@ -41,12 +41,12 @@ def supports_of(
     path : Path
         What the deck prescribes.
     names : MeshNames
-        Takes the names of faces and sets.
+        Gets the faces and node sets that supports need.
     axes : NodeAxes
         Directions of the degrees of freedom.
     units : DeckUnits
     account : Account
-        Takes what has no form.
+        Gets the keywords that a job cannot express.
     """
     solid = set(path.deck.solid_nodes.tolist())
     ways: dict[tuple[Direction, float, History], _Group] = {}

@@ -15,8 +15,43 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 
+class FollowerTerm(Term):
+    """Pressure on ``sides`` along their deformed normals; ``potential``: they are closed, or their rim is fixed."""
+
+    __slots__ = ()
+
+    external = True
+
+    sides: Ints
+    potential: bool
+
+    @property
+    def unknowns(self) -> Ints:
+        """Displacements of the sides."""
+        return displacements(self.sides)
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether there is a potential."""
+        return self.potential
+
+    def _tangents(self, at: Configuration) -> Array:
+        """Tangent of each side, of which the symmetric part alone remains where there is a potential."""
+        raise NotImplementedError
+
+    def tangents(self, at: Configuration, stresses: Array) -> Array:
+        """Symmetric part."""
+        local = self._tangents(at)
+        return lower(0.5 * (local + local.transpose(0, 2, 1)))
+
+    def skew(self, at: Configuration) -> Array:
+        """Skew part, of pressure on open faces."""
+        local = self._tangents(at)
+        return np.asarray(0.5 * (local - local.transpose(0, 2, 1)))
+
+
 @dataclass(frozen=True, slots=True, eq=False)
-class PressureTerm(Term):
+class PressureTerm(FollowerTerm):
     """Faces under the same pressure.
 
     Parameters
@@ -33,23 +68,11 @@ class PressureTerm(Term):
         Whether the pressure has a potential: the faces are closed, or their rim is fixed.
     """
 
-    external = True
-
     sides: Ints
     load: Pressure | None
     place: int
     stress: float
     potential: bool
-
-    @property
-    def unknowns(self) -> Ints:
-        """Displacements of the sides."""
-        return displacements(self.sides)
-
-    @property
-    def symmetric(self) -> bool:
-        """Whether there is a potential."""
-        return self.potential
 
     def acting(self, at: Configuration) -> float:
         """Scaled pressure that acts."""
@@ -79,16 +102,6 @@ class PressureTerm(Term):
         local = np.asarray(surfaces.pressure_tangents(at.position, self.sides, *self._tables))
         local *= self.acting(at)
         return local
-
-    def tangents(self, at: Configuration, stresses: Array) -> Array:
-        """Symmetric part."""
-        local = self._tangents(at)
-        return lower(0.5 * (local + local.transpose(0, 2, 1)))
-
-    def skew(self, at: Configuration) -> Array:
-        """Skew part, of pressure on open faces."""
-        local = self._tangents(at)
-        return np.asarray(0.5 * (local - local.transpose(0, 2, 1)))
 
 
 def pressure_terms(setting: Setting) -> list[PressureTerm]:

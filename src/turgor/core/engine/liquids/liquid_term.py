@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from turgor.core.engine.algebra.sections import plane_sections
 from turgor.core.engine.cells.reference import ReferenceCell, liquid_tables
 from turgor.core.engine.faces import surfaces
-from turgor.core.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
+from turgor.core.engine.faces.pressure_term import FollowerTerm
+from turgor.core.engine.term import Configuration, Setting, add_at_nodes
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
@@ -18,7 +19,7 @@ Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class LiquidTerm(Term):
+class LiquidTerm(FollowerTerm):
     """Faces that touch the same liquid, whose pressure is g · (x − x₀) at a place x, with x₀ on its level.
 
     Parameters
@@ -35,23 +36,11 @@ class LiquidTerm(Term):
         Whether there is a potential: the faces are closed, or their rim is fixed.
     """
 
-    external = True
-
     sides: Ints
     load: Any
     gradient: Array
     at_origin: float
     potential: bool
-
-    @property
-    def unknowns(self) -> Ints:
-        """Displacements of the sides."""
-        return displacements(self.sides)
-
-    @property
-    def symmetric(self) -> bool:
-        """Whether there is a potential."""
-        return self.potential
 
     @property
     def _tables(self) -> ReferenceCell:
@@ -82,16 +71,6 @@ class LiquidTerm(Term):
         normals = share[..., None] * np.cross(edges[:, :, 0], edges[:, :, 1])
         deeper = np.einsum("qa,qb,fqi,j->faibj", r.N, r.N, normals, self.gradient, optimize=True)
         return np.asarray(local + deeper.reshape(local.shape))
-
-    def tangents(self, at: Configuration, stresses: Array) -> Array:
-        """Symmetric part."""
-        local = self._tangents(at)
-        return lower(0.5 * (local + local.transpose(0, 2, 1)))
-
-    def skew(self, at: Configuration) -> Array:
-        """Skew part, of open faces."""
-        local = self._tangents(at)
-        return np.asarray(0.5 * (local - local.transpose(0, 2, 1)))
 
 
 def liquid_terms(setting: Setting) -> list[LiquidTerm]:

@@ -22,7 +22,7 @@ from turgor.foundation.errors import TurgorError
 from turgor.units import MPa
 
 #: Exponents of the coefficients of a polynomial law in the order of the file.
-_POLYNOMIAL = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3))
+POLYNOMIAL = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3))
 
 #: One tonne per cubic millimeter [kg/m³]: with mm and N, masses are tonnes.
 TONNE_PER_CUBIC_MM = 1e12
@@ -102,7 +102,7 @@ def _rivlin(law: GeneralizedRivlin) -> tuple[str, Sequence[float], int]:
     order = max(i + j for i, j in terms)
     if order > 3:
         raise TurgorError(f"GeneralizedRivlin of order {order} has no form in .inp files; 3 is the highest.")
-    values = [terms.get(exponents, 0.0) for exponents in _POLYNOMIAL if sum(exponents) <= order]
+    values = [terms.get(exponents, 0.0) for exponents in POLYNOMIAL if sum(exponents) <= order]
     return f"POLYNOMIAL, N={order}", values, order
 
 

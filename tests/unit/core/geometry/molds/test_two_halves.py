@@ -125,6 +125,17 @@ def _crossed():
     return mold_part("crossed", "body", block)
 
 
+def test_pins_of_the_lower_half_stand_in_holes_of_the_upper_one():
+    parts = casting_mold(PARTS["a tube along the plane"]).parts
+    above = occ.Box(occ.Pnt(-50, -50, 0), occ.Pnt(150, 50, 50))
+    assert overlap(parts["lower"].shape, above) == pytest.approx(4 * np.pi * 1.5**2 * 3, rel=1e-6)
+    mirrored = sum(solid.mass for solid in (parts["upper"].shape * above).solids)
+    below = parts["lower"].shape.mass - overlap(parts["lower"].shape, above)
+    holes = 4 * np.pi * 1.7**2 * 3.2
+    pours = below - holes - mirrored
+    assert 2 * np.pi * 4 * 8 < pours < 2 * np.pi * 4 * 8.4, "the two holes to pour go through the wall above the tube"
+
+
 def test_settings_change_the_block():
     thin = casting_mold(PARTS["a tube along the plane"], MoldSettings(wall=5 * mm, draft=20 * deg))
     thick = casting_mold(PARTS["a tube along the plane"])
