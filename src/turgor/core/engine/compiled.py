@@ -1,10 +1,11 @@
 """Compiled loops: their threads, and what keeps numba's cache on disk true when one of several files changes."""
 
 import os
-from collections.abc import Callable
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextvars import ContextVar
-from functools import cache
+from contextvars import ContextVar, copy_context
+from functools import cache, partial
 from hashlib import sha256
 from pathlib import Path
 from types import ModuleType
@@ -13,6 +14,7 @@ from typing import Any, TypeVar
 from turgor.foundation.processors import processors
 
 Loop = TypeVar("Loop", bound=Callable)
+Item, Result = TypeVar("Item"), TypeVar("Result")
 
 
 #: Options of a loop that Python calls, and of a function that compiled loops alone call, which Python must not. Nothing
@@ -36,13 +38,48 @@ def over(count: int, loop: Callable[..., None], *arguments: Any) -> None:
     The loop is compiled with ``nogil=True`` and writes only what belongs to its range. It compiles in a third of the
     time of a parallel loop of numba.
     """
-    threads = min(processors() if THREADS.get() is None else THREADS.get() or 1, count // LEAST)
+    threads = min(_threads(), count // LEAST)
     if threads < 2:
         if count:
             loop(0, count, *arguments)
         return
     ends = [count * k // (PARTS * threads) for k in range(PARTS * threads + 1)]
     list(_pool(threads, os.getpid()).map(lambda k: loop(ends[k], ends[k + 1], *arguments), range(len(ends) - 1)))
+
+
+def later(function: Callable[..., Result], *arguments: Any) -> Callable[[], Result]:
+    """Begin a call on another thread; what is returned waits for the result, or calls where there is one thread.
+
+    Loops within the call stay on its thread, so that no thread waits for one of its own pool.
+    """
+    threads = _threads()
+    if threads < 2:
+        return partial(function, *arguments)
+    return _pool(threads, os.getpid()).submit(copy_context().run, _alone, function, *arguments).result
+
+
+def in_order(function: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
+    """Yield the results for items in their order, the next ones computed meanwhile on other threads.
+
+    As few results are in memory as keep the threads busy.
+    """
+    ahead: deque[Callable[[], Result]] = deque()
+    for item in items:
+        ahead.append(later(function, item))
+        if len(ahead) > _threads():
+            yield ahead.popleft()()
+    for result in ahead:
+        yield result()
+
+
+def _alone(function: Callable[..., Result], *arguments: Any) -> Result:
+    THREADS.set(1)  # in a copy of the context
+    return function(*arguments)
+
+
+def _threads() -> int:
+    stated = THREADS.get()
+    return processors() if stated is None else stated
 
 
 @cache

@@ -18,6 +18,7 @@ from turgor.core.engine.algebra.pattern import Pattern, build_pattern, locate, s
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.internal_variables import History, Memory, bonds_of, friction_of, joined_memory
 from turgor.core.engine.cells.states.body_states import has_states
+from turgor.core.engine.compiled import later
 from turgor.core.engine.contact.couplings import Layout
 from turgor.core.engine.contact.part import SearchMode
 from turgor.core.engine.contact.surface import whole_surface
@@ -296,10 +297,10 @@ class System:
         laws = rubber.laws(u, history)
         if laws is None:
             return None
-        internal = self._summed(rubber.forces(u, p, laws))
         position = self.points + u
-        at = Configuration(position, load_factor, unknown_pressures, history.bonds)
-        forces, external = self.terms.forces(at)
+        of_terms = later(self.terms.forces, Configuration(position, load_factor, unknown_pressures, history.bonds))
+        internal = self._summed(rubber.forces(u, p, laws))
+        forces, external = of_terms()
         springs = self.springs(unknowns)
         contacts = self.contact.look(position, springs, load_factor, known, how).with_friction(history.friction)
         pressing, bodies = self.contact.forces(contacts, springs)
@@ -360,9 +361,9 @@ class System:
         u, p = self.split(at.unknowns)
         data = np.zeros(len(self.layout.base.indices))
         rubber, stresses = self.rubber.at(at.load_factor), None if geometric is None else geometric.cells
+        terms = later(self.terms.tangents, self.configuration(at), None if geometric is None else geometric.terms)
         rubber.add_tangents(data, (u, p), at.isochoric, stresses, exact)
-        given = None if geometric is None else geometric.terms
-        self.terms.add_tangents(data, self.configuration(at), given)
+        self.terms.add(data, terms())
         self.lay_out(at)
         data = self.layout.spread(data)
         self.contact.add_tangents(data, self.layout, at.contacts)
@@ -419,9 +420,9 @@ class System:
         """
         there = self.split(at.unknowns)
         change = self.split(np.zeros(self.size) if update is None else update)
-        cells = self.rubber.at(at.load_factor).stresses(there, change, at.isochoric)
         given = None if last is None else last.terms
-        return Stresses(cells, self.terms.stresses(self.points + there[0], change[0], given))
+        terms = later(self.terms.stresses, self.points + there[0], change[0], given)
+        return Stresses(self.rubber.at(at.load_factor).stresses(there, change, at.isochoric), terms())
 
     def residual(self, unknowns: Array, load_factor: float, history: History | None = None) -> Array:
         """Residual (size,) at a point, for checks of the tangent."""

@@ -131,11 +131,15 @@ class Terms:
         corrections = [part for part in parts if part is not None]
         return np.sum(corrections, axis=0) if corrections else None
 
-    def add_tangents(self, data: Array, at: Configuration, given: Sequence[Array] | None) -> None:
-        """Add the symmetric parts of all tangents to the lower triangle; the given stresses enter the geometric one."""
+    def tangents(self, at: Configuration, given: Sequence[Array] | None) -> list[Array]:
+        """Symmetric parts of the tangents of all terms; the given stresses enter the geometric one."""
         stresses = self.stresses(at.position) if given is None else given
-        for term, positions, stress in zip(self.all, self._positions, stresses, strict=True):
-            scatter_add(data, positions, term.tangents(at, stress))
+        return [term.tangents(at, stress) for term, stress in zip(self.all, stresses, strict=True)]
+
+    def add(self, data: Array, tangents: Sequence[Array]) -> None:
+        """Add the tangents of all terms to the lower triangle."""
+        for positions, tangent in zip(self._positions, tangents, strict=True):
+            scatter_add(data, positions, tangent)
 
     def unsymmetric_matrix(self, at: Configuration, size: int) -> sp.csc_matrix | None:
         """Unsymmetric tangents of a few unknowns, such as those of moments; None where there are none."""

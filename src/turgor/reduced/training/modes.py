@@ -65,7 +65,7 @@ def rest_stiffness(system: System) -> sp.csc_matrix:
     base, n = system.layout.base, 3 * len(system.model.mesh.points)
     data = np.zeros(len(base.indices))
     system.rubber.add_tangents(data, system.split(at.unknowns), at.isochoric, None, False)
-    system.terms.add_tangents(data, Configuration(system.points), None)
+    system.terms.add(data, system.terms.tangents(Configuration(system.points), None))
     return base.full(data)[:n, :n]
 
 

@@ -12,15 +12,16 @@ from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.cells.internal_variables import History
 from turgor.core.engine.cells.stabilization import REGULARIZATION, SERENDIPITY_REGULARIZATION, volume_penalty
 from turgor.core.engine.cells.states.body_states import has_states, networks_of, rest_of, stiffness_of
+from turgor.core.engine.compiled import in_order
 from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
-#: Entries of cell matrices in memory at once when the tangent is formed: few enough to be added up while the processor
-#: still has them close by, which spares a tenth of the time. And cells at least, so that threads have a share each.
-CHUNK_ENTRIES, CHUNK_CELLS = 1_000_000, 600
+#: Entries of cell matrices that one thread computes at once when the tangent is formed: few enough to be added up while
+#: the processor still has them close by, which spares a tenth of the time, and that no thread waits long for another.
+CHUNK_ENTRIES = 400_000
 
 
 class CellTerms:
@@ -116,7 +117,7 @@ class CellTerms:
         self._last = None  # a copy has no places
 
     def _chunks(self) -> list[slice]:
-        cells = max(CHUNK_CELLS, CHUNK_ENTRIES // self._positions.shape[1])
+        cells = max(1, CHUNK_ENTRIES // self._positions.shape[1])
         return [slice(start, start + cells) for start in range(0, len(self.cells), cells)]
 
     def gradients(self, u: Array) -> Array:
@@ -158,12 +159,15 @@ class CellTerms:
         They have linearized stresses (c, q, 7) of their own, and are regular enough to be factored, unless ``exact``.
         """
         response, nothing, loops = self._response(laws), np.zeros((1, 1, 6)), self._loops if exact else self._regular
-        for chunk in self._chunks():
+        moved = self._moved(place[0])
+
+        def tangents(chunk: slice) -> Array:
             stresses = nothing if geometric is None else geometric[chunk]
             cells, part = loops.part(chunk), response.part(chunk)
-            packed = kernels_tangent.tangent(
-                cells, self._moved(place[0]), place[1], part, stresses, geometric is not None
-            )
+            return np.asarray(kernels_tangent.tangent(cells, moved, place[1], part, stresses, geometric is not None))
+
+        chunks = self._chunks()
+        for chunk, packed in zip(chunks, in_order(tangents, chunks), strict=True):
             scatter_add(data, self._positions[chunk].ravel(), packed.ravel())
 
     def add_entries(self, data: Array, entries: Integers, values: Array) -> None:
