@@ -10,7 +10,7 @@ import pytest
 
 from refused import refused
 from turgor.core.engine.cells import spectral
-from turgor.core.engine.compiled import LEAST, over
+from turgor.core.engine.compiled import LEAST, in_order, later, over
 from turgor.core.engine.runtime import use_threads
 from turgor.core.engine.warmup import compiling
 from turgor.core.engine.warmup.needs import Needs
@@ -89,3 +89,39 @@ def results_body():
     import results_cases
 
     return results_cases.body()
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_results_of_calls_come_in_their_order(threads):
+    begun, alone = [], []
+
+    def half(item):
+        begun.append(item)
+        if item % 3 == 0:
+            time.sleep(0.01)
+        over(10 * LEAST, lambda begin, end: alone.append((threading.get_ident(), end - begin)))
+        return item, threading.get_ident(), len(begun)
+
+    with use_threads(threads):
+        results = list(in_order(half, range(12)))
+        assert later(half, 12)()[0] == 12
+    assert [item for item, _, _ in results] == list(range(12))
+    here = threading.get_ident()
+    assert all((thread == here) == (threads == 1) for _, thread, _ in results)
+    assert threads == 1 or all(passes == 10 * LEAST for _, passes in alone)  # a loop stays on the thread of its call
+
+
+def test_few_results_wait_for_the_first():
+    begun = []
+
+    with use_threads(2):
+        results = in_order(begun.append, range(20))
+        next(results)
+        time.sleep(0.05)
+        assert len(begun) <= 3
+        with refused("bad item", error=ValueError):
+            list(in_order(_bad, [1]))
+
+
+def _bad(item):
+    raise ValueError(f"bad item {item}")
