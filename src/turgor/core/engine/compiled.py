@@ -2,7 +2,7 @@
 
 import os
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar, copy_context
 from functools import cache, partial
@@ -47,25 +47,26 @@ def over(count: int, loop: Callable[..., None], *arguments: Any) -> None:
     list(_pool(threads, os.getpid()).map(lambda k: loop(ends[k], ends[k + 1], *arguments), range(len(ends) - 1)))
 
 
-def later(function: Callable[..., Result], *arguments: Any) -> Callable[[], Result]:
-    """Begin a call on another thread; what is returned waits for the result, or calls where there is one thread.
+def later(count: int, function: Callable[..., Result], *arguments: Any) -> Callable[[], Result]:
+    """Begin a call on another thread; what is returned waits for the result.
 
-    Loops within the call stay on its thread, so that no thread waits for one of its own pool.
+    Where there is one thread, or the loops that run meanwhile have too few passes (``count``) to be worth another, it
+    is called there. Loops within the call stay on its thread, so that no thread waits for one of its own pool.
     """
     threads = _threads()
-    if threads < 2:
+    if min(threads, count // LEAST) < 2:
         return partial(function, *arguments)
     return _pool(threads, os.getpid()).submit(copy_context().run, _alone, function, *arguments).result
 
 
-def in_order(function: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
+def in_order(function: Callable[[Item], Result], items: Sequence[Item]) -> Iterator[Result]:
     """Yield the results for items in their order, the next ones computed meanwhile on other threads.
 
-    As few results are in memory as keep the threads busy.
+    Each item is work for some milliseconds. As few results are in memory as keep the threads busy.
     """
     ahead: deque[Callable[[], Result]] = deque()
     for item in items:
-        ahead.append(later(function, item))
+        ahead.append(later(LEAST * len(items), function, item))
         if len(ahead) > _threads():
             yield ahead.popleft()()
     for result in ahead:

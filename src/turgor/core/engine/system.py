@@ -298,7 +298,8 @@ class System:
         if laws is None:
             return None
         position = self.points + u
-        of_terms = later(self.terms.forces, Configuration(position, load_factor, unknown_pressures, history.bonds))
+        place = Configuration(position, load_factor, unknown_pressures, history.bonds)
+        of_terms = later(len(self.cells), self.terms.forces, place)
         internal = self._summed(rubber.forces(u, p, laws))
         forces, external = of_terms()
         springs = self.springs(unknowns)
@@ -361,7 +362,8 @@ class System:
         u, p = self.split(at.unknowns)
         data = np.zeros(len(self.layout.base.indices))
         rubber, stresses = self.rubber.at(at.load_factor), None if geometric is None else geometric.cells
-        terms = later(self.terms.tangents, self.configuration(at), None if geometric is None else geometric.terms)
+        given = None if geometric is None else geometric.terms
+        terms = later(len(self.cells), self.terms.tangents, self.configuration(at), given)
         rubber.add_tangents(data, (u, p), at.isochoric, stresses, exact)
         self.terms.add(data, terms())
         self.lay_out(at)
@@ -421,7 +423,7 @@ class System:
         there = self.split(at.unknowns)
         change = self.split(np.zeros(self.size) if update is None else update)
         given = None if last is None else last.terms
-        terms = later(self.terms.stresses, self.points + there[0], change[0], given)
+        terms = later(len(self.cells), self.terms.stresses, self.points + there[0], change[0], given)
         return Stresses(self.rubber.at(at.load_factor).stresses(there, change, at.isochoric), terms())
 
     def residual(self, unknowns: Array, load_factor: float, history: History | None = None) -> Array:

@@ -21,7 +21,7 @@ Integers = NDArray[np.int64]
 
 #: Entries of cell matrices that one thread computes at once when the tangent is formed: few enough to be added up while
 #: the processor still has them close by, which spares a tenth of the time, and that no thread waits long for another.
-CHUNK_ENTRIES = 400_000
+CHUNK_ENTRIES = 200_000
 
 
 class CellTerms:
