@@ -175,14 +175,10 @@ def newton(
             evaluation=None, scalars=start.scalars, iterations=0, residual=np.inf, converged=False, reason=reason
         )
     end = iterate(run, start_at, settings.max_iterations)
-    iterations = end.iterations
-    if end.why is None and _nearly(end.at):
-        end = iterate(run, end.at, FACTORS.last_updates)
-        iterations += end.iterations
     if end.converged:
-        return _success(run, end.at, iterations)
-    slow = Reason(Cause.TOO_MANY_ITERATIONS, iterations, too_slow(end.at.residuals))
-    return _failure(end.at, iterations, end.why if isinstance(end.why, Reason) else slow, tangent)
+        return _success(run, end.at, end.iterations)
+    slow = Reason(Cause.TOO_MANY_ITERATIONS, end.iterations, too_slow(end.at.residuals))
+    return _failure(end.at, end.iterations, end.why if isinstance(end.why, Reason) else slow, tangent)
 
 
 def _begin(run: _Newton, start: Start) -> _Iterate | None:
@@ -210,11 +206,6 @@ def _begin(run: _Newton, start: Start) -> _Iterate | None:
 def _in_vain(now: _Iterate) -> bool:
     """Whether walls touch and no update has brought the residual far below the first one."""
     return now.at.contacts.touch and min(now.residuals[1:]) > FACTORS.vain_share * now.residuals[0]
-
-
-def _nearly(now: _Iterate) -> bool:
-    """Whether only some updates are missing: it is clear what touches, which the ones before had to find."""
-    return now.at.contacts.touch and now.residuals[-1] < FACTORS.below
 
 
 def _factors(run: _Newton, now: _Iterate) -> tuple[bool, Stresses | None]:

@@ -145,9 +145,6 @@ class FactorSettings:
     shortened_updates : int
         The same after so many updates, if the line search shortened all but the first: the demo takes 76 iterations
         instead of 87.
-    last_updates : int
-        Updates beyond the most where walls touch and the residual is below ``below`` by then: at 2.3 times the
-        tolerance the fast PneuNet of the examples lost a step of 15, and took three shorter ones instead.
     """
 
     below: float = 1e-3
@@ -157,7 +154,6 @@ class FactorSettings:
     vain_updates: int = 6
     vain_share: float = 0.5
     shortened_updates: int = 4
-    last_updates: int = 3
 
 
 FACTORS = FactorSettings()
