@@ -38,3 +38,10 @@ def test_four_shortened_updates_that_do_not_halve_the_residual_are_enough():
 )
 def test_otherwise_it_goes_on(residuals, lengths, touch):
     assert _ended(residuals, lengths, touch) is None
+
+
+@pytest.mark.parametrize(("updates", "least", "ends"), [(9, 0.45, False), (10, 0.45, True), (10, 0.35, False)])
+def test_ten_updates_shall_bring_a_tenth(updates, least, ends):
+    reason = _ended((4.0, 3.0, least, *[3.0] * (updates - 2)), (1.0,) * (updates + 1))
+    assert (reason is not None) == ends
+    assert not ends or "10 updates did not bring the residual far down" in str(reason)

@@ -139,7 +139,8 @@ class _Newton:
             return Reason(Cause.DEEP_PENETRATION)
         shortened = iteration == FACTORS.shortened_updates and max(now.lengths[2:]) < 1
         if (shortened or iteration >= FACTORS.vain_updates) and _in_vain(now):
-            vain = f": walls touch, and {iteration} updates did not halve the residual"
+            much = "halve the residual" if iteration < FACTORS.late_updates else "bring the residual far down"
+            vain = f": walls touch, and {iteration} updates did not {much}"
             return Reason(Cause.TOO_MANY_ITERATIONS, iteration, vain)
         if not stagnates(system, now.at, now.residuals):
             return None
@@ -205,7 +206,8 @@ def _begin(run: _Newton, start: Start) -> _Iterate | None:
 
 def _in_vain(now: _Iterate) -> bool:
     """Whether walls touch and no update has brought the residual far below the first one."""
-    return now.at.contacts.touch and min(now.residuals[1:]) > FACTORS.vain_share * now.residuals[0]
+    share = FACTORS.vain_share if len(now.residuals) <= FACTORS.late_updates else FACTORS.late_share
+    return now.at.contacts.touch and min(now.residuals[1:]) > share * now.residuals[0]
 
 
 def _factors(run: _Newton, now: _Iterate) -> tuple[bool, Stresses | None]:

@@ -142,6 +142,9 @@ class FactorSettings:
     vain_updates, vain_share : int, float
         It also gives up where walls touch and so many updates have not brought the residual below this share of the
         first. Fifteen updates were never better then, and a shorter step is cheaper than they are.
+    late_updates, late_share : int, float
+        The same after more updates, with a smaller share: of 236 attempts with walls that touch, in 20 cases, this
+        ends three of the six that failed after 15 updates, and none that converged.
     shortened_updates : int
         The same after so many updates, if the line search shortened all but the first: the demo takes 76 iterations
         instead of 87.
@@ -153,6 +156,8 @@ class FactorSettings:
     cut_short: int = 3
     vain_updates: int = 6
     vain_share: float = 0.5
+    late_updates: int = 10
+    late_share: float = 0.1
     shortened_updates: int = 4
 
 
