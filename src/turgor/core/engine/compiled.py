@@ -14,7 +14,8 @@ from typing import Any, TypeVar
 from turgor.foundation.processors import processors
 
 Loop = TypeVar("Loop", bound=Callable)
-Item, Result = TypeVar("Item"), TypeVar("Result")
+Item = TypeVar("Item")
+Result = TypeVar("Result")
 
 
 #: Options of a loop that Python calls, and of a function that compiled loops alone call, which Python must not. Nothing
