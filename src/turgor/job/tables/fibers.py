@@ -138,7 +138,7 @@ def _read_winding(values: Any, key: Key, geometry: Geometry | None, problems: Pr
     _check_turns(table, key, geometry, problems)
     if material is None or winding is None or diameter is None:
         return None
-    make = partial(_fibers, table, material, diameter, winding)
+    make = partial(_fibers, table, key[-1], material, diameter, winding)
     return problems.attempt(key, make, fields=("face", "diameter", "compression", "within", "pitch", "bending"))
 
 
@@ -212,7 +212,7 @@ def _diameter(table: FibersTable, key: Key, problems: Problems) -> float | None:
     return None
 
 
-def _fibers(table: FibersTable, material: Material, diameter: float, winding: Winding) -> Fibers:
+def _fibers(table: FibersTable, name: str, material: Material, diameter: float, winding: Winding) -> Fibers:
     box = table.within
     return Fibers(
         face=table.face if isinstance(table.face, str) else tuple(table.face),
@@ -223,6 +223,7 @@ def _fibers(table: FibersTable, material: Material, diameter: float, winding: Wi
         compression=table.compression,
         bending=table.bending,
         within=None if box is None else box.corners,
+        name=name,
     )
 
 
