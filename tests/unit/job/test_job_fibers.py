@@ -75,6 +75,7 @@ def test_a_winding_reaches_the_job(tmp_path):
         material=from_library("kevlar-fiber"),
         diameter=0.1778 * mm,  # of the record
         winding=Winding(angle_from_axis=60 * deg, spacing=2 * mm, hand="both"),
+        name="braid",
     )
 
 
