@@ -25,6 +25,7 @@ from refused import refused
 from turgor.core.engine.system import System
 from turgor.core.engine.term import Configuration
 from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.reduced.training.box import inputs_of
 from turgor.units import MPa, mm
 
 LENGTH, SIDE, C10 = 20 * mm, 4 * mm, 0.1 * MPa
@@ -139,6 +140,21 @@ def test_energy_of_threads_is_in_the_balance_of_a_motion():
     assert abs(energies.missing) < 1e-3 * energies.strain
 
 
+def test_tension_by_the_shrinkage(record_verification):
+    solution = problems.solve(_bar([Shrinkage("threads", 0.1)]), tg.Static(tolerance=1e-10))
+    got = tg.gradient(solution, "maximum_fiber_tension", ["loads.shrinkage.linear"], options=problems.OPTIONS)
+    h = 1e-5
+    high, low = (STRETCHING * (_stretch(rest) / rest - 1) for rest in (0.9 - h, 0.9 + h))
+    record_verification(
+        claim="bar with threads along it: tension by their shrinkage [N]",
+        source="derivative of the exact tension",
+        expected=(high - low) / (2 * h),
+        got=got["maximum_fiber_tension", "loads.shrinkage.linear"],
+        tolerance="1e-4",
+    )
+    assert got["maximum_fiber_tension", "loads.shrinkage.linear"] == pytest.approx((high - low) / (2 * h), rel=1e-4)
+
+
 # %% Tubes whose hoops shrink
 
 INNER, OUTER, HOOPS = 6.35 * mm, 8.35 * mm, 2000.0  # N/m
@@ -243,3 +259,11 @@ def test_what_threads_cannot_have_is_refused():
         _bar([Shrinkage("body", 0.01)], name="body")
     with refused("temperature", "'threads'", "'thread'", "thermal expansion"):
         _bar([Temperature("threads", 333.15)])
+
+
+def test_other_programs_and_reduced_models_refuse_states_of_threads(tmp_path):
+    model = _bar([Shrinkage("threads", 0.01)])
+    with refused("winding", "y0 and y1", ".inp"):
+        tg.files.write_inp(model, tmp_path / "bar.inp")
+    with refused("reduced", "Shrinkage(threads)"):
+        inputs_of(model, {"loads.shrinkage.linear": (0.0, 0.01)})
