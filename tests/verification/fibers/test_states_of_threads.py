@@ -22,9 +22,12 @@ import turgor as tg
 from differences import difference
 from fiber_tube import FiberTube
 from refused import refused
+from turgor.core.engine.fibers.fiber_term import BendingTerm
 from turgor.core.engine.system import System
 from turgor.core.engine.term import Configuration
+from turgor.core.materials.strength import Strength
 from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.solvers.checks.tearing.uses import uses
 from turgor.reduced.training.box import inputs_of
 from turgor.units import MPa, mm
 
@@ -36,7 +39,9 @@ HELIX = tg.Winding(angle_from_axis=0.7, spacing=2 * mm, hand="both")
 
 
 def _threads(**more):
-    thread = tg.Material(name="thread", law=tg.laws.Hooke(E=100 * MPa, nu=0.3))
+    sources = dict.fromkeys(("tensile_strength", "elongation_at_break"), "chosen")
+    bears = Strength(tensile_strength=10 * MPa, elongation_at_break=0.2, sources=sources)
+    thread = tg.Material(name="thread", law=tg.laws.Hooke(E=100 * MPa, nu=0.3), strength=bears)
     straight = tg.Winding(angle_from_axis=0.0, spacing=1 * mm)
     stated = {"face": ("y0", "y1", "z0", "z1"), "winding": straight, "name": "threads"} | more
     return tg.Fibers(material=thread, diameter=0.1 * mm, **stated)
@@ -107,6 +112,17 @@ def test_threads_between_fixed_planes_pull_alone(form, record_verification):
         tolerance="1e-6",
     )
     assert got == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_threads_use_their_strength_by_their_tension(form):
+    loads = [PreStretch("threads", 1.08), Stiffness("threads", 0.5)]
+    state = problems.solve(_bar(loads, [tg.Fixed("x1", "x")], form=form)).states[-1]
+    stretch, stress = uses(state.model, state.displacement, lambda: problems.fields(state), 1.0)
+    assert (stretch.value, stress.value) == pytest.approx((1.08, 0.5 * 100 * MPa * 0.08), rel=1e-6)
+    assert (stretch.share, stress.share) == pytest.approx((0.08 / 0.2, 4 / 10), rel=1e-6)
+    early = uses(state.model, state.displacement, lambda: problems.fields(state), 0.5)
+    assert early[0].value == pytest.approx(1.08**0.5, rel=1e-6)
 
 
 def test_threads_that_swell_go_slack():
@@ -244,6 +260,18 @@ def test_energy_has_the_forces_of_threads_with_states_as_its_slope():
     slope = (system.terms.energy(here + step, 1.0) - system.terms.energy(here - step, 1.0)) / (2 * h)
     forces = system.terms.forces(Configuration(here, 1.0))[0]
     assert slope == pytest.approx(float((forces * step).sum() / h), rel=1e-6)
+
+
+def test_bending_of_threads_takes_their_length_and_stiffness():
+    model = _bar(
+        [Shrinkage("threads", 0.1), Stiffness("threads", 0.3)], [], form="discrete", winding=HELIX, bending=True
+    )
+    system = System(model)
+    (bent,) = (term for term in system.terms.all if isinstance(term, BendingTerm))
+    moved = system.points + np.random.default_rng(5).normal(0, 0.02, system.points.shape)
+    assert bent.energy(moved) > 0
+    assert bent.at(1.0).energy(moved) == pytest.approx(0.3 / 0.9 * bent.energy(moved), rel=1e-12)
+    assert bent.at(0.0).energy(moved) == pytest.approx(bent.energy(moved), rel=1e-12)
 
 
 def test_what_threads_cannot_have_is_refused():
