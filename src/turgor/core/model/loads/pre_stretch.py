@@ -1,7 +1,7 @@
 """PreStretch: a body that was stretched before it was bonded in the shape of the mesh."""
 
 from collections.abc import Container, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from math import log
 from typing import TYPE_CHECKING, Any
 
@@ -112,7 +112,8 @@ class PreStretch(Load):
             if self.form == "thread" and self.body in materials:
                 raise TurgorError(f"{subject}: form 'thread' is that of windings, and '{self.body}' is none.")
             return self
-        if self.form not in ("along", "thread") or self.direction != (1, 0, 0) or self.center != (0, 0, 0):
+        usual = [each.default for each in fields(self) if each.name in ("direction", "center")]
+        if self.form not in ("along", "thread") or [self.direction, self.center] != usual:
             raise TurgorError(
                 f"{subject}: '{self.body}' is a winding, whose threads are stretched along themselves; leave out "
                 "direction, form and center."
