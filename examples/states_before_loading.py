@@ -1,10 +1,12 @@
-"""Bonded layers before any load: one shrinks after its cure, one was stretched, one melts and freezes.
+"""Bonded layers and threads before any load: a layer shrinks, was stretched, or freezes; hoops are wound tight.
 
 Shrinkage and stretch bend the strip, as Timoshenko's formula of 1925 for bimetals says for small strains. A core of a
 low-melting polymer is soft while it is warm: a force bends the strip, the core freezes, and most of the bend stays.
+Hoops that are wound around a tube under tension lose a part of it, because the wall gives way.
 """
 
 from dataclasses import dataclass
+from math import pi
 
 from netgen.occ import Box, Glue, Pnt, X
 
@@ -89,9 +91,30 @@ def at_the_ends(solution):
     return {name: float(response.column("bending_angle")[number]) for name, number in ends.items()}
 
 
+# %% Hoops that were wound under tension
+
+
+def wound(stretch=1.1):
+    """Force of hoops around a tube per length: when they are wound, and after the wall gave way [N/m]."""
+    modulus, diameter, spacing = 50 * MPa, 0.2 * mm, 1 * mm
+    hoops = tg.Fibers(
+        face="outside",
+        material=tg.Material(name="elastic thread", law=tg.laws.Hooke(E=modulus, nu=0.3)),
+        diameter=diameter,
+        winding=tg.Winding(angle_from_circumference=0.0, spacing=spacing),
+        name="hoops",
+    )
+    mesh = tg.mesh(tg.actuators.FiberReinforcedCylinder(length=40 * mm).build(), size=4 * mm, cells="hexahedra")
+    loads = [tg.loads.PreStretch("hoops", stretch)]
+    solution = tg.solve(tg.Model(mesh, RUBBER, "fixed", loads, reinforcements=[hoops]))
+    at_first = modulus * pi * diameter**2 / 4 * (stretch - 1) / spacing
+    return at_first, tg.measures.winding_force_per_length(solution.states[-1])
+
+
 if __name__ == "__main__":
     for load in (tg.loads.Shrinkage("upper", 0.005), tg.loads.PreStretch("upper", 1.005)):
         got, exact = bent_by(load)
         print(f"{load.kind}: {got / deg:.2f} deg, Timoshenko {exact / deg:.2f} deg")
     for name, value in at_the_ends(frozen()).items():
         print(f"after '{name}': {value / deg:.1f} deg")
+    print("force of the hoops: {:.0f} N/m when wound, {:.0f} N/m on the tube".format(*wound()))

@@ -1,9 +1,9 @@
 """Fiber-reinforced tubes without ends: extension, inflation and twist by the minimum of the potential energy.
 
 Incompressible neo-Hookean tube, r² = a² + (R² − A²)/λz, twist τ for each reference length, families of smeared fibers
-on the outer surface with M = cos α eΘ + sin α eZ (α from the circumference), energy ½ k (λ − 1)² for each reference
-area, slack where λ < 1. Closed ends: the pressure also pulls at π a². This defines case V20; the functions reproduce
-its values, and serve where other radii, stiffnesses and angles are needed.
+on the outer surface with M = cos α eΘ + sin α eZ (α from the circumference), energy ½ k λ₀ (λ/λ₀ − 1)² for each
+reference area, slack where λ < λ₀; λ₀ is 1 unless stated. Closed ends: the pressure also pulls at π a². This defines
+case V20; the functions reproduce its values, and serve where other radii, stiffnesses and angles are needed.
 """
 
 from collections.abc import Sequence
@@ -19,12 +19,16 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(20)
 
 @dataclass(frozen=True, kw_only=True)
 class FiberTube:
-    """A tube: radii, shear modulus, families of fibers (stiffness per width [N/m], angle from the circumference)."""
+    """A tube: radii, shear modulus, families of fibers (stiffness per width [N/m], angle from the circumference).
+
+    Fibers have the length ``rest`` over that in the tube at rest where nothing pulls them.
+    """
 
     inner: float
     outer: float
     shear_modulus: float
     families: Sequence[tuple[float, float]] = ()
+    rest: float = 1.0
 
     def radius(self, a: float, stretch: float, R: Array | float) -> Array:
         """Current radius of what was at R, from the current inner radius."""
@@ -56,7 +60,7 @@ class FiberTube:
         for (stiffness, angle), size in zip(self.families, self.fiber_stretches(a, stretch, twist), strict=True):
             c, s = np.cos(angle) / self.outer, np.sin(angle)
             along = b * (c + s * twist) ** 2 * of_b + np.array([0.0, s**2 * stretch, b**2 * (c + s * twist) * s])
-            out += 2 * np.pi * self.outer * stiffness * max(size - 1, 0.0) * along / size
+            out += 2 * np.pi * self.outer * stiffness * max(size / self.rest - 1, 0.0) * along / size
         return out
 
     def inflated(self, pressure: float, stretch: float, twist: float = 0.0) -> tuple[float, float, float]:

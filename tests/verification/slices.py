@@ -67,7 +67,7 @@ def states_at(model: tg.Model, path: Sequence[tuple[float, float]], **steps) -> 
 
     load = tg.Pressure("cavity", largest, history=list(zip(factors, pressure / largest, strict=True)))
     supports = [tg.Fixed("z0", "z"), tg.Displacement("z1", moved, "z"), *model.supports]
-    model = tg.Model(model.mesh, model.materials, supports, [load], reinforcements=model.reinforcements)
+    model = tg.Model(model.mesh, model.materials, supports, [load, *model.loads], reinforcements=model.reinforcements)
     solution = problems.solve(model, tg.Static(tolerance=1e-8, first_step=0.25 / len(path), **steps))
     return [problems.state_at(solution, factor) for factor in factors[1:]]
 
@@ -85,9 +85,9 @@ def unforced(low: Slice, high: Slice) -> Slice:
     return Slice(*(a + share * (b - a) for a, b in zip(astuple(low), astuple(high), strict=True)))
 
 
-def wound(mesh: tg.Mesh, law, fibers: Sequence[Fibers] = (), supports: Sequence = ()) -> tg.Model:
-    """A slice with fibers, or held in another way."""
-    return tg.Model(mesh, {"body": problems.rubber(law)}, supports, [], reinforcements=fibers)
+def wound(mesh: tg.Mesh, law, fibers: Sequence[Fibers] = (), supports: Sequence = (), loads: Sequence = ()) -> tg.Model:
+    """A slice with fibers, or held in another way; the loads act besides the pressure."""
+    return tg.Model(mesh, {"body": problems.rubber(law)}, supports, loads, reinforcements=fibers)
 
 
 def _slice(state: tg.solutions.State, pressure: float, stretch: float) -> Slice:

@@ -165,17 +165,18 @@ def _read(
     mesh = read_mesh(given["mesh"], geometry, problems)
     materials = read_materials(given["materials"], geometry, problems) if given["materials"] is not None else {}
     fibers = read_fibers(given["fibers"], geometry, problems)
+    bodies = {**fibers, **materials}
     bonds = read_bonds(given["bonds"], geometry, problems)
     loads: tuple[Load, ...] = ()
     timed = first_duration(given[STAGES]) if given[STAGES] is not None else duration_of(given["procedure"])
     if given["loads"] is not None:
         needed = not _alone(given) and not _rigged(given["points"])
-        loads = read_loads(given["loads"], geometry, materials, problems, needed, timed)
+        loads = read_loads(given["loads"], geometry, bodies, problems, needed, timed)
     supported = "supports" in content or geometry is None or "fixed" in geometry.faces  # by symmetry, inertia or points
     supports = read_supports(given["supports"] if supported else {}, geometry, problems)
     contact, rigid_files = read_contact(given["contact"], given["obstacles"], geometry, problems)
     points = read_points(given["points"], geometry, loads, timed, problems)
-    around = Around(geometry, materials, supports, contact, loads, _moves(given["obstacles"]))
+    around = Around(geometry, bodies, supports, contact, loads, _moves(given["obstacles"]))
     setup, procedure = _read_path(given, around, problems)
     output = read_output(given["output"], geometry, setup, problems)
     threads = read_engine(given["engine"], problems)

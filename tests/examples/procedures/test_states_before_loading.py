@@ -26,3 +26,9 @@ def test_a_frozen_core_keeps_its_bend():
     assert angles["freeze"] == pytest.approx(angles["bend"], abs=1e-6)
     assert angles["release"] == pytest.approx(34.6, rel=0.03)
     assert angles["release"] > 0.95 * angles["freeze"]
+
+
+def test_hoops_lose_tension_as_the_wall_gives_way():
+    at_first, left = EXAMPLE["wound"]()
+    assert at_first == pytest.approx(157, abs=0.5)
+    assert left == pytest.approx(74, rel=0.03)

@@ -75,6 +75,7 @@ def test_a_winding_reaches_the_job(tmp_path):
         material=from_library("kevlar-fiber"),
         diameter=0.1778 * mm,  # of the record
         winding=Winding(angle_from_axis=60 * deg, spacing=2 * mm, hand="both"),
+        name="braid",
     )
 
 
@@ -99,6 +100,7 @@ E = "5 GPa"
 nu = 0.1
 name = "wire"
 density = "7.8 g/cm³"
+expansion = "12 ppm/K"
 source = { text = "our own tests", doubts = ["one specimen only"] }
 diameter = "0.5 mm"
 pitch = "7 mm"
@@ -122,6 +124,7 @@ spacing = "3 mm"
     assert (rods.winding.angle_from_circumference, rods.winding.starts) == (pytest.approx(pi / 2), 12)
     assert rods.winding.axis == (0.0, 0.0, 1.0)
     assert (screw.material.law, screw.material.name) == (Hooke(E=5e9, nu=0.1), "wire")
+    assert screw.material.expansion == pytest.approx(12e-6)
     assert (screw.winding.pitch, screw.winding.hand) == (7 * mm, "left")
     assert (turned.winding.turns, turned.winding.spacing) == (3.5, 3 * mm)
     stated = tomllib.loads(lock_text(job, {}))["fibers"]["screw"]

@@ -19,6 +19,7 @@ import slices
 import turgor as tg
 from fiber_tube import FiberTube
 from turgor.core.engine.fibers.tension import piece_tension
+from turgor.core.engine.fibers.thread_rest import ThreadRest
 from turgor.core.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.meshing.cells import HEXAHEDRON
@@ -39,7 +40,7 @@ def points_of_the_table(count):
 
 def raw(result: FiberResult):
     """Tension of each piece by itself."""
-    return piece_tension(result.fibers, result.stretch)
+    return piece_tension(result.fibers, result.stretch, ThreadRest())
 
 
 def test_winding_force_of_hoops_is_contact_pressure_times_radius(record_verification):

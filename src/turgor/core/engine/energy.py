@@ -19,12 +19,12 @@ def stored_energy(system: System, unknowns: Array, load_factor: float, history: 
     """
     cells, penalty, _ = _cell_energies(system, unknowns, load_factor, history)
     bonds = NOTHING if history is None else history.bonds
-    terms = system.terms.energy(system.points + system.split(unknowns)[0], bonds)
+    terms = system.terms.energy(system.points + system.split(unknowns)[0], load_factor, bonds)
     return (cells + penalty + terms) * system.stress_scale * system.length**3
 
 
 def work_of_states(system: System, before: Evaluation, after: Evaluation) -> float:
-    """Energy that states of bodies bring into the modeled part in a step [J]: by the trapezoidal rule, nothing moving.
+    """Energy that states bring into the modeled part in a step [J]: by the trapezoidal rule, nothing moving.
 
     A body that shrinks between walls takes up energy without any motion of a load. The mean stress does work on the
     volume that it would have, so that the term of its constraint counts, too.
@@ -33,9 +33,15 @@ def work_of_states(system: System, before: Evaluation, after: Evaluation) -> flo
         return 0.0
     total = 0.0
     for at in (before, after):
-        ends = [sum(_cell_energies(system, at.unknowns, each.load_factor, at.history)) for each in (before, after)]
+        ends = [_energy_at(system, at, each.load_factor) for each in (before, after)]
         total += 0.5 * (ends[1] - ends[0])
     return total * system.stress_scale * system.length**3
+
+
+def _energy_at(system: System, at: Evaluation, load_factor: float) -> float:
+    """Scaled energy of cells and terms at the place of an evaluation with the states of a load factor."""
+    terms = system.terms.energy(system.configuration(at).position, load_factor)
+    return sum(_cell_energies(system, at.unknowns, load_factor, at.history), terms)
 
 
 def _cell_energies(

@@ -249,7 +249,7 @@ def strain_energy(
     Where a material is compressible its volumetric energy is p²/(2κ), with κ (J − 1) = p. Of a rubber that relaxes or
     softens it is what infinitely slow unloading gives back; ``memory`` is that of the state. Springs of reference
     points need their motions ``points``; a point without one moves with its face. The ``load_factor`` is that of the
-    state, where loads set states of bodies.
+    state, where loads set states of bodies and windings.
     """
     carriers = carriers_of(model)
     rest = with_carrier_points(model.mesh.points, carriers)
@@ -263,4 +263,5 @@ def strain_energy(
     density = materials.energy(I1, I2, F, materials.history(memory)) + 0.5 * mean**2 * materials.compliance[:, None]
     lost = penalty_energy(cells.penalty, cells.dV, J - 1 - mean * materials.compliance[:, None])
     terms = Terms(Setting(model, rest, prescribed_components(model).along_axes, whole.dV, 1.0, 1.0))
-    return float((cells.dV * density).sum() + lost.sum()) + terms.energy(rest + u, bonds_of(memory))
+    stored = float((cells.dV * density).sum() + lost.sum())
+    return stored + terms.energy(rest + u, load_factor, bonds_of(memory))

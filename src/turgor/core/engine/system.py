@@ -27,6 +27,7 @@ from turgor.core.engine.evaluation import (
     Evaluation as Evaluation,  # what is handed out by this class comes from here, too
 )
 from turgor.core.engine.evaluation import Stresses as Stresses
+from turgor.core.engine.fibers.thread_rest import threads_have_states
 from turgor.core.engine.middle_ties import with_middles
 from turgor.core.engine.points.motion import PointMotion, carrier_displacement, carrier_velocity
 from turgor.core.engine.points.point_unknowns import with_carrier_points
@@ -126,21 +127,22 @@ class System:
     def _applied(self, load_factor: float) -> float:
         """Size of the loads' forces on the free nodes at rest; unknown pressures count as the modulus."""
         _, external = self.terms.forces(Configuration(self.points, load_factor, np.ones(len(self.controlled))))
-        by_states = self.cell_forces(np.zeros(self.size), load_factor) if self.has_states else 0.0
+        by_states = self.state_forces(np.zeros(self.size), load_factor) if self.has_states else 0.0
         return float(np.linalg.norm((self.joined(external) - by_states)[~self.prescribed]))
 
     @property
     def has_states(self) -> bool:
-        """Whether a load changes the stress-free configuration or the stiffness of a body."""
-        return has_states(self.model)
+        """Whether a load changes the stress-free configuration or the stiffness of a body or a winding."""
+        return has_states(self.model) or threads_have_states(self.model)
 
-    def cell_forces(self, unknowns: Array, load_factor: float) -> Array:
-        """Scaled forces (size,) of the cells with the states of their bodies at a load factor, without memory."""
+    def state_forces(self, unknowns: Array, load_factor: float) -> Array:
+        """Scaled internal forces (size,) with the states of bodies and windings at a load factor, without memory."""
         (u, p), rubber = self.split(unknowns), self.rubber.at(load_factor)
         laws = rubber.laws(u, self.materials.rest)
         if laws is None:
             raise TurgorError("a cell is turned inside out at these unknowns.")
-        return self.gathered(rubber.forces(u, p, laws))
+        by_terms, _ = self.terms.forces(Configuration(self.points + u, load_factor))
+        return self.gathered(rubber.forces(u, p, laws)) + self.joined(by_terms)
 
     @cached_property
     def layout(self) -> Layout:
@@ -423,7 +425,7 @@ class System:
         there = self.split(at.unknowns)
         change = self.split(np.zeros(self.size) if update is None else update)
         given = None if last is None else last.terms
-        terms = later(len(self.cells), self.terms.stresses, self.points + there[0], change[0], given)
+        terms = later(len(self.cells), self.terms.stresses, self.configuration(at), change[0], given)
         return Stresses(self.rubber.at(at.load_factor).stresses(there, change, at.isochoric), terms())
 
     def residual(self, unknowns: Array, load_factor: float, history: History | None = None) -> Array:

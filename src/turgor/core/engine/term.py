@@ -7,7 +7,7 @@ and is the only place to change for a new one. Lengths, forces and stresses are 
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Protocol, Self
 
 import numpy as np
 import scipy.sparse as sp
@@ -88,6 +88,10 @@ class Term(Protocol):
     def symmetric(self) -> bool:
         """Whether the forces have a potential; if not, `skew` gives the rest of the tangent."""
         return True
+
+    def at(self, load_factor: float) -> Self:
+        """Return the term at a load factor; most terms are the same at all of them."""
+        return self
 
     @property
     def unknowns(self) -> Ints:

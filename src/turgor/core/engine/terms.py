@@ -92,9 +92,13 @@ class Terms:
     def forces(self, at: Configuration) -> tuple[Array, Array]:
         """Internal forces, and external forces of loads, (n, 3) each."""
         internal, external = np.zeros_like(at.position), np.zeros_like(at.position)
-        for term in self.all:
+        for term in self.at(at.load_factor):
             term.add_forces(external if term.external else internal, at)
         return internal, external
+
+    def at(self, load_factor: float) -> list[Term]:
+        """All terms at a load factor."""
+        return [term.at(load_factor) for term in self.all]
 
     def unit_forces(self, position: Array, count: int) -> list[Array]:
         """External forces (n, 3) of a scaled pressure of one on each of the first ``count`` controlled faces."""
@@ -107,9 +111,9 @@ class Terms:
         """The terms with internal variables."""
         return [term for term in self.all if isinstance(term, BondTerm)]
 
-    def energy(self, position: Array, bonds: Mapping[str, Array] = NOTHING) -> float:
+    def energy(self, position: Array, load_factor: float, bonds: Mapping[str, Array] = NOTHING) -> float:
         """Scaled energy that all terms store, with internal variables of bonds; those at rest if none are given."""
-        stored = sum((term.energy(position) for term in self.all), 0.0)
+        stored = sum((term.energy(position) for term in self.at(load_factor)), 0.0)
         return stored + sum(term.stored(position, bonds.get(term.name)) for term in self.bonds)
 
     def remembered(self, at: Configuration) -> dict[str, Array]:
@@ -117,24 +121,25 @@ class Terms:
         return {term.name: term.remembered(at) for term in self.bonds}
 
     def stresses(
-        self, position: Array, update: Array | None = None, last: Sequence[Array] | None = None
+        self, at: Configuration, update: Array | None = None, last: Sequence[Array] | None = None
     ) -> list[Array]:
         """Stresses of each term, linearized for an update where one is given; ``last`` are those before it."""
-        update = np.zeros_like(position) if update is None else update
+        update, terms = np.zeros_like(at.position) if update is None else update, self.at(at.load_factor)
         if last is None:
-            return [term.stresses(position, update) for term in self.all]
-        return [term.continued(position, update, one) for term, one in zip(self.all, last, strict=True)]
+            return [term.stresses(at.position, update) for term in terms]
+        return [term.continued(at.position, update, one) for term, one in zip(terms, last, strict=True)]
 
     def correction(self, at: Configuration, given: Sequence[Array]) -> Array | None:
         """Forces (n, 3) of the stresses that the tangent is linearized about; None where no term has any."""
-        parts = (term.correction(at, stresses) for term, stresses in zip(self.all, given, strict=True))
+        terms = self.at(at.load_factor)
+        parts = (term.correction(at, stresses) for term, stresses in zip(terms, given, strict=True))
         corrections = [part for part in parts if part is not None]
         return np.sum(corrections, axis=0) if corrections else None
 
     def tangents(self, at: Configuration, given: Sequence[Array] | None) -> list[Array]:
         """Symmetric parts of the tangents of all terms; the given stresses enter the geometric one."""
-        stresses = self.stresses(at.position) if given is None else given
-        return [term.tangents(at, stress) for term, stress in zip(self.all, stresses, strict=True)]
+        stresses, terms = self.stresses(at) if given is None else given, self.at(at.load_factor)
+        return [term.tangents(at, stress) for term, stress in zip(terms, stresses, strict=True)]
 
     def add(self, data: Array, tangents: Sequence[Array]) -> None:
         """Add the tangents of all terms to the lower triangle."""

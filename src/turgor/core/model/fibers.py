@@ -126,6 +126,8 @@ class Fibers:
     within : two points (3,), optional [m]
         Lowest and highest corner of a box that threads do not leave, for windings that differ from side to side;
         corners may be infinite.
+    name : str
+        By which states before loading, such as a `PreStretch`, name the winding; by default its face.
 
     Raises
     ------
@@ -142,27 +144,31 @@ class Fibers:
     bending: bool = False
     bending_diameter: float = 0.5
     within: tuple[tuple[float, float, float], tuple[float, float, float]] | None = None
+    name: str = ""
 
     def __post_init__(self) -> None:
         self._check_faces()
+        if not isinstance(self.name, str):
+            raise TurgorError(f"fibers on '{self.place}': name is {self.name!r}; a text is needed, such as 'hoops'.")
+        object.__setattr__(self, "name", self.name or self.place)
         law = getattr(self.material, "law", None)
         if not isinstance(self.material, Material) or type(law) is not Hooke:
             raise TurgorError(
-                f"fibers on '{self.name}': the law of '{getattr(self.material, 'name', self.material)}' is "
+                f"fibers on '{self.place}': the law of '{getattr(self.material, 'name', self.material)}' is "
                 f"{type(law).__name__}; fibers need a material with the law Hooke, of which Young's modulus counts."
             )
         if not isinstance(self.winding, Winding):
-            raise TurgorError(f"fibers on '{self.name}': winding is {self.winding!r}; a Winding is needed.")
+            raise TurgorError(f"fibers on '{self.place}': winding is {self.winding!r}; a Winding is needed.")
         if self.form not in (SMEARED, DISCRETE):
             raise unknown("form of fibers", str(self.form), (SMEARED, DISCRETE))
         self._check_numbers()
         if self.bending and self.form == SMEARED:
-            raise TurgorError(f"fibers on '{self.name}': smeared fibers do not bend; bending needs form 'discrete'.")
+            raise TurgorError(f"fibers on '{self.place}': smeared fibers do not bend; bending needs form 'discrete'.")
         if self.within is not None:
             corners = [_vector(corner) for corner in self.within] if isinstance(self.within, tuple | list) else []
             if len(corners) != 2 or None in corners or not (np.array(corners[0]) < np.array(corners[1])).all():
                 raise TurgorError(
-                    f"fibers on '{self.name}': within is {self.within!r}; two corners are needed, the first below the "
+                    f"fibers on '{self.place}': within is {self.within!r}; two corners are needed, the first below the "
                     "second one in every direction, such as ((0, -inf, -inf), (50*mm, inf, inf))."
                 )
 
@@ -189,7 +195,7 @@ class Fibers:
             raise TurgorError(f"fiber compression is {self.compression:g}; allowed is 0 (slack) to 1 (as in tension).")
         if not 0 < _number("bending_diameter of fibers", self.bending_diameter, "0.5") <= 1:
             raise TurgorError(
-                f"fibers on '{self.name}': bending_diameter is {self.bending_diameter:g} of their diameter; "
+                f"fibers on '{self.place}': bending_diameter is {self.bending_diameter:g} of their diameter; "
                 "allowed is more than 0 up to 1."
             )
 
@@ -199,7 +205,7 @@ class Fibers:
         return (self.face,) if isinstance(self.face, str) else tuple(self.face)
 
     @property
-    def name(self) -> str:
+    def place(self) -> str:
         """The faces, as messages name them."""
         return " and ".join(self.faces)
 

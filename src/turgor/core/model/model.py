@@ -15,7 +15,7 @@ from turgor.core.model.bonds import Bond, parted_mesh
 from turgor.core.model.checks.films import check_films
 from turgor.core.model.checks.named_points import check_points, points_of
 from turgor.core.model.checks.orientations import check_oriented
-from turgor.core.model.checks.sheet_states import check_sheet_states
+from turgor.core.model.checks.states import check_states
 from turgor.core.model.checks.symmetry import check_not_cut, check_turning, check_uncut_shell, check_wedge
 from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import Fibers
@@ -101,10 +101,11 @@ class Model(Saved, Shown):
         used = given_materials(materials, mesh)
         object.__setattr__(self, "materials", MappingProxyType(used))
         object.__setattr__(self, "supports", given + added)
-        object.__setattr__(self, "loads", tuple(load.of_materials(used) for load in at_node_sets(acting, mesh)))
         object.__setattr__(self, "formulation", formulation)
         threads = several(reinforcements, Fibers, "reinforcements", "Fibers are needed")
         object.__setattr__(self, "reinforcements", threads)
+        bodies = {each.name: each for each in threads} | used
+        object.__setattr__(self, "loads", tuple(load.of_materials(bodies) for load in at_node_sets(acting, mesh)))
         object.__setattr__(self, "contact", one(contact or Contact(), Contact, "contact", "a Contact is needed"))
         object.__setattr__(self, "bonds", glued)
         self._check_materials()
@@ -177,7 +178,7 @@ class Model(Saved, Shown):
                 self._check_reachable(obstacle.name, obstacle.face)
         for load in self.loads:
             load.check(self.mesh, points)
-        check_sheet_states(self.mesh, self.membranes, self.loads)
+        check_states(self.mesh, self.membranes, self.reinforcements, self.loads)
 
     def _check_reachable(self, obstacle: str, face: str) -> None:
         """Refuse a face between two regions, which no obstacle can touch."""
@@ -224,7 +225,7 @@ class Model(Saved, Shown):
         return points_of(self.supports)
 
     def states_of(self, body: str) -> tuple[Load, ...]:
-        """Loads that are a state of a body: shrinkage, temperature and the like."""
+        """Loads that are a state of a body, a sheet or a winding: shrinkage, temperature and the like."""
         return tuple(load for load in self.loads if load.of_bodies and load.place in ("", body))
 
     @property

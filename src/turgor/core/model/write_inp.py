@@ -93,7 +93,7 @@ def write_inp(
 
 def _check_extras(model: Model) -> None:
     bent = [name for name, membrane in model.membranes.items() if isinstance(membrane, Shell)]
-    what = [f"winding of fibers on '{fibers.name}'" for fibers in model.reinforcements]
+    what = [f"winding of fibers on '{fibers.place}'" for fibers in model.reinforcements]
     what += [f"the sheet on '{name}', which wrinkles," for name, sheet in model.membranes.items() if sheet.wrinkles]
     what += [f"the woven sheet on '{name}'" for name, sheet in model.membranes.items() if sheet.warp is not None]
     what += [f"the obstacle '{obstacle.name}'" for obstacle in model.contact.obstacles]

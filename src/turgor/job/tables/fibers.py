@@ -25,6 +25,7 @@ from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import (
     Angle,
     Density,
+    Expansion,
     Length,
     Pressure,
     Table,
@@ -70,6 +71,9 @@ class FibersTable(Table):
         Poisson's ratio, which has no effect on threads.
     density : float [kg/m³]
         Density of the threads.
+    expansion : float [1/K]
+        Linear thermal expansion along the threads, which a temperature of the winding takes; that of the record by
+        default.
     source : table
         Where the constants come from, as for a material.
     strength : table
@@ -90,6 +94,7 @@ class FibersTable(Table):
     E: Pressure | None = Field(default=None, examples=['"30 GPa"'])
     nu: float = 0.3  # of a thread it has no effect
     density: Density | None = None
+    expansion: Expansion | None = None
     source: SourceTable | None = Field(default=None, examples=['{ text = "data sheet" }'])
     strength: Strengths | None = Field(default=None, examples=['{ tensile_strength = "3 GPa", source = "maker" }'])
     diameter: Length | None = Field(default=None, examples=['"0.2 mm"'])
@@ -138,7 +143,7 @@ def _read_winding(values: Any, key: Key, geometry: Geometry | None, problems: Pr
     _check_turns(table, key, geometry, problems)
     if material is None or winding is None or diameter is None:
         return None
-    make = partial(_fibers, table, material, diameter, winding)
+    make = partial(_fibers, table, key[-1], material, diameter, winding)
     return problems.attempt(key, make, fields=("face", "diameter", "compression", "within", "pitch", "bending"))
 
 
@@ -165,9 +170,10 @@ def _material(table: FibersTable, key: Key, problems: Problems) -> Material | No
         return None
     if table.library is not None:
         material = read_library(table.library, table.record, table.density, key, problems)
-        if material is None or table.strength is None:
-            return material
-        return replace(material, strength=table.strength)
+        if material is None:
+            return None
+        expansion = material.expansion if table.expansion is None else table.expansion
+        return replace(material, strength=table.strength or material.strength, expansion=expansion)
     source = Source(text=f"stated in {problems.file}")
     if table.source is not None:
         source = Source(text=table.source.text, detail=table.source.detail, doubts=tuple(table.source.doubts))
@@ -175,7 +181,14 @@ def _material(table: FibersTable, key: Key, problems: Problems) -> Material | No
     def make() -> Material:
         law = Hooke(E=table.E, nu=table.nu)  # type: ignore[arg-type]
         name = table.name or key[-1]
-        return Material(name=name, law=law, density=table.density, source=source, strength=table.strength)
+        return Material(
+            name=name,
+            law=law,
+            density=table.density,
+            source=source,
+            strength=table.strength,
+            expansion=table.expansion,
+        )
 
     return problems.attempt(key, make, fields=("E", "nu", "density"))
 
@@ -212,7 +225,7 @@ def _diameter(table: FibersTable, key: Key, problems: Problems) -> float | None:
     return None
 
 
-def _fibers(table: FibersTable, material: Material, diameter: float, winding: Winding) -> Fibers:
+def _fibers(table: FibersTable, name: str, material: Material, diameter: float, winding: Winding) -> Fibers:
     box = table.within
     return Fibers(
         face=table.face if isinstance(table.face, str) else tuple(table.face),
@@ -223,6 +236,7 @@ def _fibers(table: FibersTable, material: Material, diameter: float, winding: Wi
         compression=table.compression,
         bending=table.bending,
         within=None if box is None else box.corners,
+        name=name,
     )
 
 
@@ -248,6 +262,8 @@ def _table(fibers: Fibers) -> dict[str, Any]:
     values |= {"name": material.name, "E": format_quantity(law.E, "GPa"), "nu": law.nu}
     if material.density is not None:
         values["density"] = format_quantity(material.density, "kg/m³")
+    if material.expansion is not None:
+        values["expansion"] = format_quantity(material.expansion, "1/K")
     values["source"] = {"text": source.text, "detail": source.detail, "doubts": list(source.doubts)}
     values |= failure_tables(material)
     values["diameter"] = format_quantity(fibers.diameter, "mm")

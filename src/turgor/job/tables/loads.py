@@ -8,6 +8,7 @@ from turgor.core.geometry.directions import DIRECTIONS
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.material import Material
 from turgor.core.model.drive import common_pressure
+from turgor.core.model.fibers import Fibers
 from turgor.core.model.history import RAMP
 from turgor.core.model.loads import STANDARD_GRAVITY, Force, Gravity, Load, Pressure, Traction, pressures_among
 from turgor.core.model.places import NodesAt
@@ -25,14 +26,14 @@ from turgor.units import format_quantity
 def read_loads(
     values: Any,
     geometry: Geometry | None,
-    materials: Mapping[str, Material | Sheet],
+    materials: Mapping[str, Material | Sheet | Fibers],
     problems: Problems,
     needed: bool = True,
     duration: float | None = None,
 ) -> tuple[Load, ...]:
     """Read ``[loads]``: a pressure in all cavities, or in one as ``[loads.cavity_1]`` and the like; gravity, forces.
 
-    ``[loads.tip]`` with a pressure is one on a face that is no cavity.
+    ``[loads.tip]`` with a pressure is one on a face that is no cavity. ``materials`` has the windings, too.
     """
     key = ("loads",)
     cavities = ("cavity",) if geometry is None else geometry.cavities
@@ -59,7 +60,8 @@ def read_loads(
         )
         loads += [gravity] if gravity is not None and fits(gravity, geometry, ("loads", "gravity"), problems) else []
     loads += on_faces(pulled, geometry, table.gravity, duration, problems)
-    loads += read_listed(table, geometry, duration, problems)
+    windings = [name for name, each in materials.items() if isinstance(each, Fibers)]
+    loads += read_listed(table, geometry, duration, problems, windings)
     _check_densities(loads, materials, problems)
     loads = [_of_materials(load, materials, problems) for load in loads]
     if needed and not (own or pulled or any(getattr(table, name) for name in type(table).model_fields)):
@@ -131,7 +133,7 @@ def _pressure(face: str, table: CavityTable, duration: float | None) -> Pressure
     return Pressure(face, table.pressure, history_of(table, f"pressure on '{face}'", duration))
 
 
-def _check_densities(loads: Iterable[Load], materials: Mapping[str, Material | Sheet], problems: Problems) -> None:
+def _check_densities(loads: Iterable[Load], materials: Mapping[str, object], problems: Problems) -> None:
     heavy = next((load.kind for load in loads if load.needs_density), None)
     for name, material in materials.items():
         if heavy is not None and isinstance(material, Material) and material.density is None:
@@ -140,7 +142,7 @@ def _check_densities(loads: Iterable[Load], materials: Mapping[str, Material | S
             )
 
 
-def _of_materials(load: Load, materials: Mapping[str, Material | Sheet], problems: Problems) -> Load:
+def _of_materials(load: Load, materials: Mapping[str, object], problems: Problems) -> Load:
     """The load with what it takes from the materials, such as a temperature the expansion."""
     return problems.attempt(("loads", load.job_key), partial(load.of_materials, materials)) or load
 

@@ -10,6 +10,7 @@ from pydantic import Field
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.material import Material
 from turgor.core.model.contact import Contact
+from turgor.core.model.fibers import Fibers
 from turgor.core.model.history import RAMP
 from turgor.core.model.loads import Load
 from turgor.core.model.obstacles import Vector
@@ -64,7 +65,8 @@ class Around:
     ----------
     geometry : Geometry or None
         The actuator; None where it could not be built.
-    materials : mapping of str to Material, Shell or Membrane
+    materials : mapping of str to Material, Shell, Membrane or Fibers
+        Windings by their names, too.
     supports : tuple of Support
     contact : Contact
     loads : tuple of Pressure, Gravity or Force
@@ -73,7 +75,7 @@ class Around:
     """
 
     geometry: Geometry | None
-    materials: Mapping[str, Material | Sheet]
+    materials: Mapping[str, Material | Sheet | Fibers]
     supports: tuple[Support, ...]
     contact: Contact
     loads: tuple[Load, ...]

@@ -90,7 +90,13 @@ def _example(table: type[Table]) -> str:
     return f"[{{ {', '.join(values)} }}]"
 
 
-def read_listed(table: Any, geometry: Geometry | None, duration: float | None, problems: Problems) -> list[Load]:
+def read_listed(
+    table: Any,
+    geometry: Geometry | None,
+    duration: float | None,
+    problems: Problems,
+    windings: Iterable[str] = (),
+) -> list[Load]:
     """Return the loads of the tables in ``[loads]``.
 
     Parameters
@@ -103,19 +109,26 @@ def read_listed(table: Any, geometry: Geometry | None, duration: float | None, p
         Of the procedure.
     problems : Problems
         Takes what is wrong.
+    windings : iterable of str
+        Names of windings, which may have states.
     """
     loads: list[Load] = []
     for name, kind in listed_kinds().items():
         key = ("loads", name)
         for each in getattr(table, name):
             load = problems.attempt(key, partial(_load_of, kind, each, duration))
-            if load is not None and fits(load, geometry, key, problems):
+            if load is not None and fits(load, geometry, key, problems, windings=windings):
                 loads.append(load)
     return loads
 
 
 def fits(
-    load: Load, geometry: Geometry | None, key: tuple[str, ...], problems: Problems, points: Iterable[str] = ()
+    load: Load,
+    geometry: Geometry | None,
+    key: tuple[str, ...],
+    problems: Problems,
+    points: Iterable[str] = (),
+    windings: Iterable[str] = (),
 ) -> bool:
     """Return whether an actuator has the faces of a load, and every image of its modeled part has the load.
 
@@ -130,13 +143,15 @@ def fits(
         Takes what is wrong.
     points : iterable of str
         Names of reference points, on which a load may act as on a face.
+    windings : iterable of str
+        Names of windings, which may have a state as a body has.
     """
     if geometry is None:
         return True
     faces = geometry.faces
     wrong = [str(unknown("face", name, faces)) for name in load.named_faces if name not in (*faces, *points)]
-    if load.of_bodies and load.place not in (*geometry.regions, *faces):
-        wrong.append(str(unknown(f"body of a {load.kind}", load.place, geometry.regions)))
+    if load.of_bodies and load.place not in (*geometry.regions, *faces, *windings):
+        wrong.append(str(unknown(f"body of a {load.kind}", load.place, (*geometry.regions, *windings))))
     for number, axis in enumerate("xyz"):
         if f"symmetry_{axis}" in geometry.faces and not load.mirrored(number):
             wrong.append(

@@ -121,7 +121,7 @@ def _fibers(fibers: Fibers) -> MaterialText:
         values.append(("in compression", f"{100 * fibers.compression:g} % of the stiffness"))
     if fibers.bending:
         values.append(("bending", "resisted"))
-    where = f"{fibers.name.replace('_', ' ')} ({fibers.form} fibers)"
+    where = f"{fibers.place.replace('_', ' ')} ({fibers.form} fibers)"
     source = fibers.material.source
     return MaterialText(
         where, fibers.material.name, "Threads, stiff along themselves.", values, str(source), source.doubts

@@ -78,7 +78,7 @@ def test_a_term_of_ones_own_needs_one_name_in_the_list(model, monkeypatch):
     change = (system.residual(x + h * way, 1.0) - system.residual(x - h * way, 1.0)) / (2 * h)
     assert (system.tangent(x, 1.0) @ way)[free] == pytest.approx(change[free], abs=1e-6 * np.abs(change).max())
     added = system.residual(x, 1.0) - plain.residual(x, 1.0)
-    place, without = (each.terms.energy(each.points + each.split(x)[0]) for each in (system, plain))
+    place, without = (each.terms.energy(each.points + each.split(x)[0], 1.0) for each in (system, plain))
     assert np.abs(added).max() > 0
     assert place - without == pytest.approx(0.5 * float(added @ x), rel=1e-9)
 

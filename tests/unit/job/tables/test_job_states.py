@@ -47,6 +47,57 @@ rest = "25 °C"
 modulus = "rubber"
 """
 
+WOUND = """\
+[actuator]
+type = "fiber_reinforced_cylinder"
+length = "30 mm"
+
+[mesh]
+size = "8 mm"
+cells = "hexahedra"
+
+[materials]
+body = { law = "neo_hooke", C10 = "0.12 MPa" }
+
+[fibers.hoops]
+face = "outside"
+E = "50 MPa"
+diameter = "0.2 mm"
+angle_from_circumference = "0 deg"
+spacing = "2 mm"
+
+[fibers.rods]
+face = "outside"
+E = "50 MPa"
+diameter = "0.2 mm"
+angle_from_axis = "0 deg"
+spacing = "2 mm"
+
+"""
+
+THREADS = """\
+[loads]
+pressure = "5 kPa"
+pre_stretch = [{ body = "hoops", stretch = 1.05 }]
+shrinkage = [{ body = "rods", linear = "2 %" }]
+swelling = [{ body = "rods", volume_ratio = 1.01 }]
+stiffness = [{ body = "hoops", factor = 0.5 }]
+temperature = [{ body = "hoops", temperature = "60 °C", expansion = "-4 ppm/K", modulus = "rubber" }]
+"""
+
+WOUND_STAGES = """\
+[[stages]]
+name = "wind"
+loads = { pre_stretch = [{ body = "hoops", stretch = 1.1 }] }
+
+[[stages]]
+name = "inflate"
+loads = { pressure = "10 kPa" }
+
+[output]
+measures = ["tip_displacement_x", "maximum_fiber_tension"]
+"""
+
 STAGES = """\
 [[stages]]
 name = "cure"
@@ -69,9 +120,9 @@ measures = ["bending_angle"]
 """
 
 
-def read(tmp_path, text):
+def read(tmp_path, text, head=HEAD):
     file = tmp_path / "finger.toml"
-    file.write_text(HEAD + text, encoding="utf-8")
+    file.write_text(head + text, encoding="utf-8")
     return read_job(file)
 
 
@@ -88,6 +139,48 @@ def test_states_are_read_and_come_back(tmp_path):
     again.mkdir()
     (again / "finger.toml").write_text(lock_text(job, {}), encoding="utf-8")
     assert read_job(again / "finger.toml").loads == job.loads
+
+
+def test_states_of_windings_are_read_and_come_back(tmp_path):
+    job = read(tmp_path, THREADS, WOUND)
+    loads = dict.fromkeys(job.loads)
+    assert PreStretch("hoops", 1.05, form="thread") in loads
+    assert Shrinkage("rods", 0.02) in loads
+    assert Swelling("rods", 1.01) in loads
+    assert Stiffness("hoops", 0.5) in loads
+    assert Temperature("hoops", 333.15, expansion=-4e-6, modulus="rubber") in loads
+    assert "Threads of hoops were stretched to 1.05" in PreStretch("hoops", 1.05, form="thread").text()
+    again = tmp_path / "again"
+    again.mkdir()
+    (again / "finger.toml").write_text(lock_text(job, {}), encoding="utf-8")
+    assert read_job(again / "finger.toml").loads == job.loads
+
+
+@pytest.mark.parametrize(
+    ("text", "facts"),
+    [
+        ('shrinkage = [{ body = "hops", linear = "1 %" }]', ("loads.shrinkage", "'hops'", "'hoops'")),
+        ('hardening = [{ body = "hoops", factor = 1.0 }]', ("hardening", "'hoops'", "winding")),
+        ('temperature = [{ body = "hoops", temperature = "60 °C" }]', ("loads.temperature", "'hoops'", "expansion")),
+        (
+            'pre_stretch = [{ body = "hoops", stretch = 1.1, direction = [0, 0, 1] }]',
+            ("loads.pre_stretch", "'hoops'", "direction"),
+        ),
+    ],
+)
+def test_wrong_states_of_windings_are_refused(tmp_path, text, facts):
+    with refused(*facts):
+        prepare(read(tmp_path, f"[loads]\n{text}\n", WOUND))
+
+
+def test_a_job_winds_tight_and_inflates(tmp_path):
+    job = read(tmp_path, WOUND_STAGES, WOUND)
+    model, _ = prepare(job)
+    response = measure(solve(model, job.procedure), find_measure("maximum_fiber_tension"))
+    tension = response.column("maximum_fiber_tension")
+    ends = {name: float(tension[k]) for k, name in enumerate(response.stages)}
+    assert 0 < ends["wind"] < 0.1 * 50e6 * np.pi / 4 * 0.2e-3**2  # the wall gives way
+    assert ends["inflate"] > ends["wind"]
 
 
 @pytest.mark.parametrize(

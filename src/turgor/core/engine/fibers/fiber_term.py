@@ -9,7 +9,9 @@ from turgor.core.engine.fibers import fiber_kernels as fibers
 from turgor.core.engine.fibers import truss_bending as bending
 from turgor.core.engine.fibers.fiber_trusses import FiberTrusses, lay
 from turgor.core.engine.fibers.settings import FIBERS
+from turgor.core.engine.fibers.thread_rest import ThreadRest
 from turgor.core.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
+from turgor.core.model.loads import Load
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -17,9 +19,14 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FiberTerm(Term):
-    """The pieces of one winding, in scaled units."""
+    """The pieces of one winding, in scaled units, and the states that change their rest."""
 
     pieces: fibers.Pieces
+    states: tuple[Load, ...] = ()
+
+    def at(self, load_factor: float) -> "FiberTerm":
+        """Return the pieces with their rest at a load factor."""
+        return FiberTerm(ThreadRest.of(self.states, load_factor).pieces(self.pieces)) if self.states else self
 
     @property
     def unknowns(self) -> Ints:
@@ -60,6 +67,14 @@ class BendingTerm(Term):
     couples = True
 
     joints: bending.Joints
+    states: tuple[Load, ...] = ()
+
+    def at(self, load_factor: float) -> "BendingTerm":
+        """Return the joints with the length and stiffness of their threads at a load factor."""
+        if not self.states:
+            return self
+        rest = ThreadRest.of(self.states, load_factor)
+        return BendingTerm(replace(self.joints, stiffness=self.joints.stiffness * rest.stiffness / rest.length))
 
     @property
     def unknowns(self) -> Ints:
@@ -85,10 +100,11 @@ def fiber_terms(setting: Setting) -> list[FiberTerm | BendingTerm]:
     for each in model.reinforcements:
         laid = lay(model.mesh, each)
         pieces = laid.pieces if isinstance(laid, FiberTrusses) else laid
-        along.append(FiberTerm(_scaled(pieces, setting.length, setting.stress)))
+        states = model.states_of(each.name)
+        along.append(FiberTerm(_scaled(pieces, setting.length, setting.stress), states))
         if each.bending and isinstance(laid, FiberTrusses):
             joints = bending.joints_of(laid, each, model.mesh.points)
-            bent.append(BendingTerm(joints.scaled(setting.length, setting.stress)))
+            bent.append(BendingTerm(joints.scaled(setting.length, setting.stress), states))
     return [*along, *bent]
 
 

@@ -84,11 +84,11 @@ def discrete_threads(mesh: Mesh, fibers: Fibers) -> FiberTrusses:
     """
     course = course_of(mesh, fibers)
     axis = unit_axis(fibers.winding)
-    face = unroll(mesh.points, wound_sides(mesh, fibers), axis, fibers.name)
+    face = unroll(mesh.points, wound_sides(mesh, fibers), axis, fibers.place)
     lines = thread_lines(course, face, fibers)
     cuts = _parted(face, lines, _cut(face, lines, _Where(mesh, face, fibers)))
     if not len(cuts.side):
-        raise TurgorError(f"fibers on '{fibers.name}': no thread lies on this face{fibers.box}.")
+        raise TurgorError(f"fibers on '{fibers.place}': no thread lies on this face{fibers.box}.")
     return _trusses(mesh, face, fibers, lines, cuts)
 
 

@@ -91,12 +91,12 @@ def _starts(course: Course, fibers: Fibers, around: float) -> int:
     count = _nearest(course)
     if fibers.winding.starts is not None and count != fibers.winding.starts:
         raise TurgorError(
-            f"fibers on '{fibers.name}': a quarter model needs an even number of starts, not {fibers.winding.starts}; "
+            f"fibers on '{fibers.place}': a quarter model needs an even number of starts, not {fibers.winding.starts}; "
             "model the half or the whole."
         )
     if count == 0:
         raise TurgorError(
-            f"fibers on '{fibers.name}': a spacing of {course.spacing / mm:.4g} mm at this angle gives no whole thread "
-            f"around a perimeter of {around / mm:.4g} mm; give the pitch and starts = 1."
+            f"fibers on '{fibers.place}': a spacing of {course.spacing / mm:.4g} mm at this angle gives no whole "
+            f"thread around a perimeter of {around / mm:.4g} mm; give the pitch and starts = 1."
         )
     return count

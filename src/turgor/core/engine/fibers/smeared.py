@@ -60,8 +60,8 @@ def course_of(mesh: Mesh, fibers: Fibers) -> Course:
     frames = surface_frames(mesh.points, sides)
     if float(np.abs(frames.normal @ axis).max()) > FIBERS.cylinder_like:
         raise TurgorError(
-            f"fibers on '{fibers.name}': parts of this face look along the axis {winding.axis}; fibers can be wound on "
-            "a face that runs along the axis all around, such as the outside of a tube."
+            f"fibers on '{fibers.place}': parts of this face look along the axis {winding.axis}; fibers can be wound "
+            "on a face that runs along the axis all around, such as the outside of a tube."
         )
     along = mesh.points[np.unique(sides)] @ axis
     length = float(np.ptp(along))
@@ -76,13 +76,13 @@ def course_of(mesh: Mesh, fibers: Fibers) -> Course:
     angle = _angle(winding, perimeter, length)
     if mesh.symmetry_faces and winding.hand != "both" and 1e-9 < angle < pi / 2 - 1e-9:
         raise TurgorError(
-            f"fibers on '{fibers.name}': the mirror plane {mesh.symmetry_faces[0]} turns a {winding.hand}-handed helix "
-            "into one of the other hand; model the whole actuator (symmetric = false), or wind both hands."
+            f"fibers on '{fibers.place}': the mirror plane {mesh.symmetry_faces[0]} turns a {winding.hand}-handed "
+            "helix into one of the other hand; model the whole actuator (symmetric = false), or wind both hands."
         )
     spacing = _spacing(winding, angle, perimeter)
     if spacing < fibers.diameter * (1 - 1e-9):
         raise TurgorError(
-            f"fibers on '{fibers.name}': neighboring threads are {spacing / mm:.4g} mm apart, less than their "
+            f"fibers on '{fibers.place}': neighboring threads are {spacing / mm:.4g} mm apart, less than their "
             f"diameter of {fibers.diameter / mm:.4g} mm; wind them farther apart."
         )
     hands = {"right": (1.0,), "left": (-1.0,), "both": (1.0, -1.0)}[winding.hand]
@@ -172,7 +172,7 @@ def smeared_pieces(mesh: Mesh, fibers: Fibers) -> Pieces:
     N = reference_cell(sides.shape[1], MEMBRANE_QUADRATURE_DEGREE[side_type(sides.shape[1]).corners]).N
     chosen = np.flatnonzero(np.tile(_within_box(mesh, fibers, sides).ravel(), count))
     if not len(chosen):
-        raise TurgorError(f"fibers on '{fibers.name}': nothing of this face lies{fibers.box}.")
+        raise TurgorError(f"fibers on '{fibers.place}': nothing of this face lies{fibers.box}.")
     return Pieces(
         sides=np.tile(np.repeat(sides, points, axis=0), (count, 1))[chosen],
         along=np.concatenate(along)[chosen],

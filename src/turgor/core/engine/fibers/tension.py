@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.fibers.fiber_kernels import Pieces
+from turgor.core.engine.fibers.thread_rest import ThreadRest
 from turgor.core.meshing.cells import side_type
 from turgor.core.model.fibers import Fibers
 
@@ -15,9 +16,9 @@ def tangents(pieces: Pieces, points: Array) -> Array:
     return np.asarray(np.einsum("ka,kai->ki", pieces.along, points[pieces.sides]))
 
 
-def piece_tension(fibers: Fibers, stretch: Array) -> Array:
-    """Tension of one thread at each piece by itself, (k,) [N], from its stretch."""
-    share = np.where(stretch >= 1, 1.0, fibers.compression)
+def piece_tension(fibers: Fibers, stretch: Array, rest: ThreadRest) -> Array:
+    """Tension of one thread at each piece by itself, (k,) [N], from its stretch beyond that without stress."""
+    share = np.where(stretch >= 1, rest.stiffness, fibers.compression * rest.stiffness)
     return np.asarray(share * fibers.stretching_stiffness * (stretch - 1))
 
 

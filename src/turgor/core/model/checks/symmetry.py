@@ -59,7 +59,7 @@ def check_wedge(mesh: Mesh, reinforcements: Sequence[Fibers], contact: Contact) 
     for fibers in reinforcements:
         if fibers.form == DISCRETE:
             raise TurgorError(
-                f"fibers on '{fibers.name}': single threads do not end at the cuts of a wedge as they begin; spread "
+                f"fibers on '{fibers.place}': single threads do not end at the cuts of a wedge as they begin; spread "
                 f"them over the face (smeared), or {WHOLE}"
             )
     for obstacle in contact.obstacles:

@@ -214,9 +214,6 @@ class Load:
             raise unknown(f"reference point of a {self.kind} load", point, points)  # type: ignore[arg-type]
         for name in self.named_faces:
             mesh.face(name)
-        body = getattr(self, "body", "")
-        if body and body not in mesh.regions and body not in mesh.faces:
-            raise unknown(f"body of a {self.kind}", body, mesh.regions)
         check_images(mesh, f"{self.kind} on '{self.place}'" if self.place else self.kind, self.mirrored, self.turned)
 
     def log_stretch(self, points: Array, load_factor: float) -> Array | None:
@@ -231,6 +228,14 @@ class Load:
         Returns
         -------
         (c, q, 3, 3) array, or one that broadcasts to it, or None
+        """
+        size = self.log_length(load_factor)
+        return None if size is None else size * np.eye(3)
+
+    def log_length(self, load_factor: float) -> float | None:
+        """Return the logarithm of the length at which a thread is free of stress over that in the mesh.
+
+        It is that of any length in a body that grows alike in all directions; None of loads that state none.
         """
         return None
 

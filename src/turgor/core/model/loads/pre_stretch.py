@@ -1,13 +1,14 @@
 """PreStretch: a body that was stretched before it was bonded in the shape of the mesh."""
 
-from collections.abc import Container
-from dataclasses import dataclass, field
+from collections.abc import Container, Mapping
+from dataclasses import dataclass, field, fields, replace
 from math import log
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.fibers import Fibers
 from turgor.core.model.history import RAMP, History, checked
 from turgor.core.model.history_text import shares_text
 from turgor.core.model.loads.images import check_symmetric
@@ -17,7 +18,7 @@ from turgor.foundation.given import Quantities, number, vector
 from turgor.foundation.given import name as name_of
 
 #: How a body was stretched, with words for a report.
-FORMS = {"along": "along", "across": "in all directions across", "around": "around the axis"}
+FORMS = {"along": "along", "across": "in all directions across", "around": "around the axis", "thread": "along itself"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +31,7 @@ class PreStretch(Load):
     Parameters
     ----------
     body : str
-        Body that is stretched in the shape of the mesh.
+        Body, sheet or winding that is stretched in the shape of the mesh.
     stretch : float
         Length in the mesh over that without stress, 0.1 to 10; below 1 the body is compressed.
     direction : (3,) floats
@@ -38,6 +39,7 @@ class PreStretch(Load):
     form : str
         ``"along"`` the direction; ``"across"`` it, a sheet that is stretched alike in all directions of its plane,
         whose normal the direction is; ``"around"`` an axis of this direction, as a ring that is pulled over a core.
+        A winding is stretched along its threads, and has the form ``"thread"`` without being stated.
     center : (3,) floats [m]
         Point on the axis; for ``"around"`` only.
     history : sequence of (float, float), or str, optional
@@ -86,11 +88,37 @@ class PreStretch(Load):
 
     def text(self) -> str:
         """Return the sentence of a report."""
+        if self.form == "thread":
+            return (
+                f"Threads of {self.body} were stretched to {self.stretch:g} before they were bonded"
+                f"{shares_text(self.history)}."
+            )
         along = f"({', '.join(f'{part:.4g}' for part in self.direction)})"
         return (
             f"Body {self.body} was stretched to {self.stretch:g} {FORMS[self.form]} {along} before it was bonded"
             f"{shares_text(self.history)}."
         )
+
+    def of_materials(self, materials: Mapping[str, Any]) -> Load:
+        """Return the stretch with the form of what it stretches: threads are stretched along themselves.
+
+        Raises
+        ------
+        TurgorError
+            If a direction is stated for a winding, or the form of threads for something else.
+        """
+        subject = f"pre-stretch of '{self.body}'"
+        if not isinstance(materials.get(self.body), Fibers):
+            if self.form == "thread" and self.body in materials:
+                raise TurgorError(f"{subject}: form 'thread' is that of windings, and '{self.body}' is none.")
+            return self
+        usual = [each.default for each in fields(self) if each.name in ("direction", "center")]
+        if self.form not in ("along", "thread") or [self.direction, self.center] != usual:
+            raise TurgorError(
+                f"{subject}: '{self.body}' is a winding, whose threads are stretched along themselves; leave out "
+                "direction, form and center."
+            )
+        return replace(self, form="thread")
 
     def mirrored(self, axis: int) -> bool:
         """Whether the direction lies in the plane or along its normal."""
@@ -107,9 +135,13 @@ class PreStretch(Load):
             off = np.array(self.center) - (np.array(self.center) @ self.unit) * self.unit
             check_symmetric(mesh, f"pre-stretch of '{self.body}': a center {{:.3g}} m off", tuple(off.tolist()))
 
+    def log_length(self, load_factor: float) -> float:
+        """Return minus the logarithm of the stretch, for threads."""
+        return -self.share(load_factor) * log(self.stretch)
+
     def log_stretch(self, points: Array, load_factor: float) -> Array:
         """Return minus the logarithm of the stretch in its direction, and what keeps the volume across."""
-        size = -self.share(load_factor) * log(self.stretch)
+        size = self.log_length(load_factor)
         if self.form == "across":
             size *= -2.0
         line = self._tangent(points) if self.form == "around" else self.unit

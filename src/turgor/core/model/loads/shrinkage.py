@@ -4,11 +4,9 @@ from dataclasses import dataclass, field
 from math import log1p
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from turgor.core.model.history import RAMP, History, checked
 from turgor.core.model.history_text import shares_text
-from turgor.core.model.loads.load import Array, Load
+from turgor.core.model.loads.load import Load
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantity, number
 from turgor.foundation.given import name as name_of
@@ -64,6 +62,6 @@ class Shrinkage(Load):
         """Minus the shrinkage."""
         return -self.linear
 
-    def log_stretch(self, points: Array, load_factor: float) -> Array:
+    def log_length(self, load_factor: float) -> float:
         """Return the same in all directions."""
-        return np.asarray(self.share(load_factor) * log1p(-self.linear) * np.eye(3))
+        return self.share(load_factor) * log1p(-self.linear)

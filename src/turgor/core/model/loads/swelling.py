@@ -4,11 +4,9 @@ from dataclasses import dataclass, field
 from math import log
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from turgor.core.model.history import RAMP, History, checked
 from turgor.core.model.history_text import shares_text
-from turgor.core.model.loads.load import Array, Load
+from turgor.core.model.loads.load import Load
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import name as name_of
 from turgor.foundation.given import number
@@ -66,6 +64,6 @@ class Swelling(Load):
         """From the ratio of volumes."""
         return float(self.volume_ratio ** (1 / 3) - 1)
 
-    def log_stretch(self, points: Array, load_factor: float) -> Array:
+    def log_length(self, load_factor: float) -> float:
         """Return the same in all directions."""
-        return np.asarray(self.share(load_factor) * log(self.volume_ratio) / 3 * np.eye(3))
+        return self.share(load_factor) * log(self.volume_ratio) / 3

@@ -10,7 +10,7 @@ import numpy as np
 
 from turgor.core.model.history import RAMP, History, checked
 from turgor.core.model.history_text import shares_text
-from turgor.core.model.loads.load import Array, Load
+from turgor.core.model.loads.load import Load
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantity, number, shown
 from turgor.foundation.given import name as name_of
@@ -141,9 +141,9 @@ class Temperature(Load):
         """The expansion; None where the stiffness changes, too."""
         return self._expansion * (self.temperature - self.rest) if self.modulus == "constant" else None
 
-    def log_stretch(self, points: Array, load_factor: float) -> Array:
+    def log_length(self, load_factor: float) -> float:
         """Return the same in all directions."""
-        return np.asarray(log1p(self._expansion * (self.at(load_factor) - self.rest)) * np.eye(3))
+        return log1p(self._expansion * (self.at(load_factor) - self.rest))
 
     def stiffness(self, load_factor: float) -> float:
         """Return the stiffness at the temperature over that at rest."""

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.fibers.fiber_trusses import FiberTrusses
 from turgor.core.engine.fibers.smeared import smeared_pieces
 from turgor.core.engine.fibers.tension import piece_tension, smooth_tension, tangents
+from turgor.core.engine.fibers.thread_rest import ThreadRest
 from turgor.core.model.fibers import DISCRETE, Fibers
 from turgor.core.results.fields.cables import cables_with_tension
 from turgor.core.results.fields.state_fields import StateFields
@@ -27,8 +28,8 @@ class FiberResult:
     fibers : Fibers
         The winding.
     stretch : (k,) array
-        Current over initial length of each piece by itself: of each truss of a discrete thread, or at each integration
-        point of the face for smeared fibers.
+        Current length over that without stress, of each piece by itself: of each truss of a discrete thread, or at each
+        integration point of the face for smeared fibers.
     tension : (k,) array [N]
         Tension of one thread there, averaged over the sides of cells around it, see `smooth_tension`.
     positions : (k, 3) array [m]
@@ -71,12 +72,13 @@ def fiber_results(state: State | StateFields) -> tuple[FiberResult, ...]:
     for fibers in at.model.reinforcements:
         threads = at.facts.threads(fibers) if fibers.form == DISCRETE else None
         pieces = threads.pieces if threads else smeared_pieces(at.mesh, fibers)
-        stretch = np.linalg.norm(tangents(pieces, at.points), axis=1)
+        rest = ThreadRest.of(at.model.states_of(fibers.name), at.state.load_factor)
+        stretch = np.linalg.norm(tangents(pieces, at.points), axis=1) / rest.length
         out.append(
             FiberResult(
                 fibers=fibers,
                 stretch=stretch,
-                tension=smooth_tension(pieces, piece_tension(fibers, stretch)),
+                tension=smooth_tension(pieces, piece_tension(fibers, stretch, rest)),
                 positions=np.einsum("ka,kai->ki", pieces.middle, at.points[pieces.sides]),
                 weights=pieces.weights,
                 threads=threads,

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.fibers.fiber_kernels import Pieces
 from turgor.core.engine.fibers.smeared import smeared_pieces, unit_axis
 from turgor.core.engine.fibers.tension import piece_tension, smooth_tension, tangents
+from turgor.core.engine.fibers.thread_rest import ThreadRest
 from turgor.core.model.fibers import DISCRETE, SMEARED, Fibers, Winding
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.foundation.errors import TurgorError
@@ -44,7 +45,9 @@ def _force_around(at: StateFields, fibers: Fibers) -> float:
     pieces = at.facts.threads(fibers).pieces if fibers.form == DISCRETE else smeared_pieces(at.mesh, fibers)
     tangent = tangents(pieces, at.points)
     stretch = np.linalg.norm(tangent, axis=1)
-    tension = smooth_tension(pieces, piece_tension(fibers, stretch))  # hoops near edges of sides hold half as much
+    rest = ThreadRest.of(at.model.states_of(fibers.name), at.state.load_factor)
+    own = piece_tension(fibers, stretch / rest.length, rest)
+    tension = smooth_tension(pieces, own)  # hoops near edges of sides hold half as much
     force = tension * pieces.stiffness / fibers.stretching_stiffness  # smeared ones: per width
     hoops, straight = (_laid(at, fibers, angle) for angle in (pi / 2, 0.0))
     around, along = tangents(hoops, at.points), tangents(straight, at.points)

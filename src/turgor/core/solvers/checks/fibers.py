@@ -52,7 +52,7 @@ def _resisting(fibers: Fibers) -> list[Finding]:
         Finding(
             code="B04",
             severity=Severity.NOTE,
-            message=f"Fibers on {fibers.name} {' and '.join(what)}; threads do neither.",
+            message=f"Fibers on {fibers.place} {' and '.join(what)}; threads do neither.",
             advice="Leave compression and bending out unless they are rods, or wires.",
         )
     ]
@@ -71,7 +71,7 @@ def _far_apart(model: Model, fibers: Fibers, course: Course) -> list[Finding]:
         Finding(
             code="B05",
             severity=Severity.WARNING,
-            message=f"Smeared fibers on {fibers.name} are {course.spacing / mm:.3g} mm apart, with cells of "
+            message=f"Smeared fibers on {fibers.place} are {course.spacing / mm:.3g} mm apart, with cells of "
             f"{cell / mm:.3g} mm on a perimeter of {course.perimeter / mm:.3g} mm; what the wall does between them is "
             "not seen.",
             advice='Take form = "discrete", which follows every thread.',
@@ -91,7 +91,7 @@ def _other_spacing(fibers: Fibers, course: Course) -> list[Finding]:
         Finding(
             code="B21",
             severity=Severity.WARNING if wrong else Severity.NOTE,
-            message=f"Threads on {fibers.name} are {laid / mm:.4g} mm apart instead of {course.spacing / mm:.4g} mm: "
+            message=f"Threads on {fibers.place} are {laid / mm:.4g} mm apart instead of {course.spacing / mm:.4g} mm: "
             "their number is whole.",
             advice=_exact(course, laid),
         )
@@ -117,7 +117,7 @@ def _both_hands(fibers: Fibers, course: Course) -> list[Finding]:
         Finding(
             code="B22",
             severity=Severity.WARNING,
-            message=f"Fibers on {fibers.name} run at {course.angle / deg:.4g} deg from the axis in both hands: two "
+            message=f"Fibers on {fibers.place} run at {course.angle / deg:.4g} deg from the axis in both hands: two "
             f"threads every {course.spacing / mm:.4g} mm, nearly hoops, are twice as stiff as one.",
             advice="For one thread, give angle_from_circumference = 0 deg and the spacing: hoops have no hand, and a "
             "mirror plane does not turn them.",
@@ -158,7 +158,7 @@ def _too_stiff(model: Model, fibers: Fibers, course: Course) -> list[Finding]:
         Finding(
             code="B23",
             severity=Severity.WARNING,
-            message=f"Fibers on {fibers.name} (E A = {fibers.stretching_stiffness:.3g} N) are about "
+            message=f"Fibers on {fibers.place} (E A = {fibers.stretching_stiffness:.3g} N) are about "
             f"{round(ratio, -3):,.0f} times as stiff as the wall below them and go slack in compression; the solve "
             "will probably not converge.",
             advice=stiff_threads_text(model),

@@ -24,7 +24,7 @@ def load_change(system: System, unknowns: Array, before: float, after: float) ->
     change = system.external(unknowns, after) - system.external(unknowns, before)
     if not system.has_states:
         return change
-    return np.asarray(change + system.cell_forces(unknowns, before) - system.cell_forces(unknowns, after))
+    return np.asarray(change + system.state_forces(unknowns, before) - system.state_forces(unknowns, after))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -40,5 +40,5 @@ def _driving(system: System, at: Evaluation, factor: float) -> Array:
     force = system.external(at.unknowns, factor)
     if not system.has_states:
         return force
-    states = system.cell_forces(at.unknowns, at.load_factor) - system.cell_forces(at.unknowns, factor)
+    states = system.state_forces(at.unknowns, at.load_factor) - system.state_forces(at.unknowns, factor)
     return np.asarray(force + states)

@@ -113,7 +113,7 @@ def smeared(fibers: Fibers) -> Fibers:
     """
     if fibers.winding.turns is not None:
         raise TurgorError(
-            f"fibers on '{fibers.name}': turns is {fibers.winding.turns:g}, but a section has no length; give pitch "
+            f"fibers on '{fibers.place}': turns is {fibers.winding.turns:g}, but a section has no length; give pitch "
             "(the wound length over the turns) or the angle."
         )
     return replace(fibers, form=SMEARED, bending=False) if fibers.form == DISCRETE else fibers

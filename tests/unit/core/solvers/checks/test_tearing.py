@@ -70,6 +70,14 @@ def test_little_stretch_is_no_finding_and_neither_is_a_material_that_states_noth
     assert tearing_findings(path(RUBBER, [1.0, 3.0])) == ()
 
 
+def test_a_state_before_loading_counts_at_its_own_load_factor():
+    load = tg.loads.PreStretch("body", 1.75, history=((0, 0), (0.5, 1), (1, 0)))
+    states = path(bearing(elongation_at_break=1.0), [1.0, 1.0, 1.0])
+    model = replace(states[0].model, loads=(load,))
+    (found,) = tearing_findings([replace(each, model=model) for each in states])
+    assert "passes half of its elongation at break (stretch 2) at load factor 0.333" in found.message
+
+
 def test_nominal_stress_is_compared_with_the_strength():
     stretch = 2.0
     nominal = MU * (stretch - stretch**-2)

@@ -41,7 +41,7 @@ class Rest:
 
 def has_states(model: Model) -> bool:
     """Whether a load states how a body is at rest, or its stiffness."""
-    return any(load.of_bodies and load.place not in model.membranes for load in model.loads)
+    return any(model.states_of(body) for body in model.region_materials)
 
 
 def rest_of(model: Model, points: Array, load_factor: float) -> Rest:

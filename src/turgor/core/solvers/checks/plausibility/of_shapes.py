@@ -35,14 +35,14 @@ def sheet_thickness(question: Question) -> Iterator[Magnitude]:
 
 def thread_diameter(question: Question) -> Iterator[Magnitude]:
     """Diameter of the threads of every winding [m]."""
-    return (Magnitude(f"Winding on {each.name}", each.diameter) for each in question.model.reinforcements)
+    return (Magnitude(f"Winding on {each.place}", each.diameter) for each in question.model.reinforcements)
 
 
 def turns(question: Question) -> Iterator[Magnitude]:
     """Turns of a thread, where they are stated [-]."""
     for each in question.model.reinforcements:
         if each.winding.turns is not None:
-            yield Magnitude(f"Winding on {each.name}", each.winding.turns)
+            yield Magnitude(f"Winding on {each.place}", each.winding.turns)
 
 
 def obstacle_distance(question: Question) -> Iterator[Magnitude]:

@@ -41,7 +41,7 @@ def _passed(states: Sequence[State]) -> Iterator[Finding]:
 
 
 def _uses_of(state: State) -> dict[tuple[str, str], Use]:
-    cells = partial(cell_fields, state.model, state.displacement, state.mean_stress, state.memory)
+    cells = partial(cell_fields, state.model, state.displacement, state.mean_stress, state.memory, state.load_factor)
     return {(use.part, use.quantity): use for use in uses(state.model, state.displacement, cells, state.load_factor)}
 
 

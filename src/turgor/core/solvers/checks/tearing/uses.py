@@ -14,6 +14,7 @@ from turgor.core.engine.faces.membrane_term import largest_tension
 from turgor.core.engine.fibers.fiber_trusses import discrete_threads
 from turgor.core.engine.fibers.smeared import smeared_pieces
 from turgor.core.engine.fibers.tension import piece_tension, smooth_tension, tangents
+from turgor.core.engine.fibers.thread_rest import ThreadRest
 from turgor.core.engine.fields import CellFields
 from turgor.core.engine.percentiles import weighted_percentile
 from turgor.core.materials.material import Material
@@ -92,7 +93,7 @@ def uses(
     cells : callable
         ``cells() -> CellFields`` of the state; called only if the material of a region states a strength.
     load_factor : float
-        At which the states of sheets are taken.
+        At which the states of sheets and windings are taken.
 
     Returns
     -------
@@ -140,19 +141,20 @@ def _parts(model: Model, displacement: Array, cells: Callable[[], CellFields], l
             yield _Part(f"the sheet on '{name}'", sheet.material, *pulled, places)
     for fibers in model.reinforcements:
         if fibers.material.strength is not None:
-            yield _threads(model, fibers, displacement)
+            yield _threads(model, fibers, displacement, load_factor)
 
 
 def _middles(points: Array, nodes: NDArray[np.int64], corners: int) -> Array:
     return np.asarray(points[nodes[:, :corners]].mean(axis=1))
 
 
-def _threads(model: Model, fibers: Fibers, displacement: Array) -> _Part:
+def _threads(model: Model, fibers: Fibers, displacement: Array, load_factor: float) -> _Part:
     threads = discrete_threads(model.mesh, fibers).pieces if fibers.form == DISCRETE else None
     pieces = threads or smeared_pieces(model.mesh, fibers)
-    single = np.linalg.norm(tangents(pieces, model.mesh.points + displacement), axis=1)
-    tension = smooth_tension(pieces, piece_tension(fibers, single))
+    rest = ThreadRest.of(model.states_of(fibers.name), load_factor)
+    single = np.linalg.norm(tangents(pieces, model.mesh.points + displacement), axis=1) / rest.length
+    tension = smooth_tension(pieces, piece_tension(fibers, single, rest))
     area = np.pi * fibers.diameter**2 / 4
     places = np.einsum("ka,kai->ki", pieces.middle, model.mesh.points[pieces.sides])
-    stretch = 1 + tension / fibers.stretching_stiffness
-    return _Part(f"threads on '{fibers.name}'", fibers.material, stretch, tension / area, pieces.weights, places)
+    stretch = 1 + tension / (fibers.stretching_stiffness * rest.stiffness)
+    return _Part(f"threads on '{fibers.place}'", fibers.material, stretch, tension / area, pieces.weights, places)
