@@ -52,8 +52,8 @@ def _lines(rows: Sequence["DeckRow"]) -> list[str]:
     """A line for each keyword: where it stands, what it is, what became of it."""
     places = [f"{row.file.name}:{row.line}" for row in rows]
     wide = max(map(len, places), default=0)
-    long = min(40, max((len(row.keyword) + 1 for row in rows), default=0))
+    long = min(40, max((len(row.title) for row in rows), default=0))
     return [
-        f"{place:{wide}}  {'*' + row.keyword:{long}}  {row.verdict:10}  {row.text}"
+        f"{place:{wide}}  {row.title:{long}}  {row.verdict:10}  {row.text}"
         for place, row in zip(places, rows, strict=True)
     ]

@@ -7,13 +7,13 @@ import numpy as np
 
 from turgor.core.geometry.directions import DIRECTIONS
 from turgor.core.model.history import History
-from turgor.core.model.loads import Force, Gravity, Load, Pressure
+from turgor.core.model.loads import Force, Gravity, Load, Pressure, Traction
 from turgor.core.model.places import NodesAt
 from turgor.job.decks.account import Account
 from turgor.job.decks.directions import NodeAxes
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.steps import Path
-from turgor.job.decks.tracks import FORCE, GRAVITY, PRESSURE, SAME
+from turgor.job.decks.tracks import FORCE, GRAVITY, PRESSURE, SAME, TRACTION
 from turgor.job.decks.uniform import uniform_sides
 from turgor.job.decks.units import DeckUnits
 
@@ -43,6 +43,7 @@ def loads_of(
     whole = replace(units, force=units.force * images)
     return (
         *_pressures(path, names, units, account),
+        *_tractions(path, names, units, account),
         *_gravities(path, units, account),
         *_forces(path, names, axes, whole, account),
     )
@@ -68,6 +69,23 @@ def _pressures(path: Path, names: MeshNames, units: DeckUnits, account: Account)
         name = names.named_surface(wishes.pop() if len(wishes) == 1 else "pressed", (side for _, side in rows))
         if value:
             yield Pressure(name, value * units.stress, history)
+
+
+def _tractions(path: Path, names: MeshNames, units: DeckUnits, account: Account) -> Iterable[Load]:
+    """A traction for each surface and direction."""
+    solid = set(path.deck.solid_numbers.tolist())
+    for target, track in path.tracks.of.items():
+        if not isinstance(target, tuple) or target[0] != TRACTION:
+            continue
+        _, where, direction = target
+        sides = path.deck.surface(where) or ()
+        size, history = track.history()
+        length = float(np.linalg.norm(direction))
+        if any(side[0] not in solid for side in sides) or not length:
+            account.missing(path.tracks.keywords[target], "a traction needs solid cells and a direction.")
+        elif size:
+            vector = size * units.stress / length * np.array(direction)
+            yield Traction(names.named_surface(where, sides), _rounded(vector), history)
 
 
 def _gravities(path: Path, units: DeckUnits, account: Account) -> Iterable[Load]:
