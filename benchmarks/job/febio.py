@@ -114,9 +114,11 @@ def reasons_of(message: str) -> set[str]:
     for tag, given in re.findall(r":\d+ <(\w+)([^>]*)> is missing", message):
         kind = re.search(r'type="([^"]*)"', given)
         named.add(f"<{tag}{f' {kind[0]}' if kind else ''}>")
-    return {each for each in named if not each.startswith(("<Elements", "<SolidDomain"))} or named or {
-        re.sub(r"'[^']*'|line \d+", "…", message)[:90]
-    }
+    return (
+        {each for each in named if not each.startswith(("<Elements", "<SolidDomain"))}
+        or named
+        or {re.sub(r"'[^']*'|line \d+", "…", message)[:90]}
+    )
 
 
 if __name__ == "__main__":

@@ -66,7 +66,7 @@ def _pressures(path: Path, names: MeshNames, units: DeckUnits, account: Account)
         alike.setdefault(track.history(), []).extend((where if not label else "pressed", side) for side in sides)
     for (value, history), rows in alike.items():
         wishes = {wish for wish, _ in rows}
-        name = names.named_surface(wishes.pop() if len(wishes) == 1 else "pressed", (side for _, side in rows))
+        name = names.loaded_surface(wishes.pop() if len(wishes) == 1 else "pressed", (side for _, side in rows))
         if value:
             yield Pressure(name, value * units.stress, history)
 
@@ -85,7 +85,7 @@ def _tractions(path: Path, names: MeshNames, units: DeckUnits, account: Account)
             account.missing(path.tracks.keywords[target], "a traction needs solid cells and a direction.")
         elif size:
             vector = size * units.stress / length * np.array(direction)
-            yield Traction(names.named_surface(where, sides), _rounded(vector), history)
+            yield Traction(names.loaded_surface(where, sides), _rounded(vector), history)
 
 
 def _gravities(path: Path, units: DeckUnits, account: Account) -> Iterable[Load]:
@@ -121,7 +121,7 @@ def _forces(path: Path, names: MeshNames, axes: NodeAxes, units: DeckUnits, acco
         alike = {node: vector for (node, each), vector in vectors.items() if each == history}
         sides = uniform_sides(path.deck, alike)
         if sides:
-            yield Force(names.named_surface("pulled", sides), _rounded(sum(alike.values(), np.zeros(3))), history)
+            yield Force(names.loaded_surface("pulled", sides), _rounded(sum(alike.values(), np.zeros(3))), history)
             vectors = {key: vector for key, vector in vectors.items() if key[1] != history}
     if len(vectors) > MOST_FORCES:
         keyword = next(k for t, k in path.tracks.keywords.items() if isinstance(t, tuple) and t[0] == FORCE)

@@ -17,7 +17,9 @@ def contact_rows(state: Prescribed, contact: Element) -> Iterator[Keyword]:
     kind = contact.given.get("type", "")
     pair = contact.given.get("surface_pair", "")
     if kind not in (*SLIDING, *TIED):
-        yield contact.missing(f"contact of the type '{kind}' has no form here; these have one: {', '.join((*SLIDING, *TIED))}.")
+        yield contact.missing(
+            f"contact of the type '{kind}' has no form here; these have one: {', '.join((*SLIDING, *TIED))}."
+        )
         return
     if pair not in state.mesh.pairs:
         contact.fail(f"there is no surface pair '{pair}'{near_match(pair, state.mesh.pairs) or '.'}")

@@ -37,8 +37,10 @@ class Prescribed:
         Nodes that follow each rigid body, by the name of its material and by its ``id``.
     sheets : bool
         Whether there are shells.
-    used : set of str
-        Surfaces that a load has named.
+    used : dict of str to str
+        Names in the deck of the surfaces that a load or contact has named.
+    loaded : dict
+        Amplitude of what has a load: a surface, or a node and a degree of freedom.
     """
 
     mesh: FebMesh
@@ -48,6 +50,13 @@ class Prescribed:
     sides: Mapping[frozenset[int], tuple[int, str]]
     sheets: bool
     used: dict[str, str] = field(default_factory=dict)
+    loaded: dict[object, str] = field(default_factory=dict)
+
+    def claim(self, target: object, name: str, *, adds: bool = False) -> None:
+        """Refuse a second load on a target, which a deck would take in place of the first one."""
+        if target in self.loaded and not (adds and self.loaded[target] == name):
+            raise TurgorError(f"a second load on {target} has no form here; add it to the first.")
+        self.loaded[target] = name
 
     def amplitude(self, value: Element, *, starts: bool) -> tuple[float, str, list[Keyword]]:
         """Factor of a value that a curve multiplies, the name of its amplitude, and the keyword that defines it.
@@ -160,6 +169,9 @@ def _nodal(state: Prescribed, load: Element) -> list[Keyword]:
     else:
         parts = {freedom: part for freedom, part in enumerate(_vector(value), start=1) if part}
         name, rows = state.history(value, starts=True)
+    for node in nodes:
+        for freedom in parts:
+            state.claim(f"node {node} along {'xyz'[freedom - 1]}", name, adds=True)
     lines = [f"{node}, {freedom}, {part!r}" for node in nodes for freedom, part in parts.items()]
     return [*rows, load.keyword("cload", lines, amplitude=name)]
 
@@ -172,6 +184,7 @@ def _pressure(state: Prescribed, load: Element) -> list[Keyword]:
         raise TurgorError("pressure that does not follow its surface, or on the bottom of shells, has no form here.")
     factor, name, rows = state.amplitude(value, starts=True)
     surface, more = _surface(state, load)
+    state.claim(f"surface '{load.given.get('surface', '')}'", name)
     return [*rows, *more, load.keyword("dsload", [f"{surface}, P, {factor!r}"], amplitude=name)]
 
 
@@ -189,6 +202,7 @@ def _traction(state: Prescribed, load: Element) -> list[Keyword]:
     else:
         factor, name, rows = state.amplitude(scale, starts=True)
     surface, more = _surface(state, load)
+    state.claim(f"traction of '{load.given.get('surface', '')}' along {parts}", name)
     line = f"{surface}, TRVEC, {factor * size!r}, " + ", ".join(repr(part) for part in parts)
     return [*rows, *more, load.keyword("dsload", [line], amplitude=name, follower="no")]
 
@@ -214,6 +228,7 @@ def _body_force(state: Prescribed, load: Element) -> list[Keyword]:
     size = float(np.linalg.norm(vector))
     if not size:
         return [load.unneeded("it is zero")]
+    state.claim("all cells", names[0])
     if len(set(names)) > 1:
         raise TurgorError("a force whose parts follow different curves has no form here.")
     line = f"FEBIO_ALL, GRAV, {size!r}, " + ", ".join(repr(part / size) for part in vector)

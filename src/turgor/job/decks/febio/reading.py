@@ -1,10 +1,10 @@
 """A .feb file as keywords of a deck, each with the element that it stands for."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 
 from turgor.core.meshing.exchange.formats.abaqus import Keyword
-from turgor.foundation.errors import TurgorError, near_match
+from turgor.foundation.errors import near_match
 from turgor.job.decks.febio.contact import contact_rows
 from turgor.job.decks.febio.curves import curves_of
 from turgor.job.decks.febio.elements import Element, read_elements
@@ -88,7 +88,9 @@ def _sections(root: Element, mesh: FebMesh, materials: list[Element]) -> tuple[l
         elif mesh.solids[part]:
             rows.append(domain.keyword("solid section", elset=_plain(part), material=name))
         else:
-            rows.append(domain.keyword("shell section", _thickness(root, domain, part), elset=_plain(part), material=name))
+            rows.append(
+                domain.keyword("shell section", _thickness(root, domain, part), elset=_plain(part), material=name)
+            )
     return rows, rigid
 
 
@@ -194,7 +196,9 @@ def _prescribed(
             supports += boundary_rows(state, bc)
         for load in (each for section in place.all("Loads") for each in section.children):
             loads += load_rows(state, load)
-        supports += (row for section in place.all("Contact") for each in section.children for row in contact_rows(state, each))
+        supports += (
+            row for section in place.all("Contact") for each in section.children for row in contact_rows(state, each)
+        )
         for section in place.all("Constraints", "Discrete", "Initial", "MeshAdaptor"):
             supports += [each.missing("it has no form here.") for each in section.children]
     supports += _rigid_rows(root, state, materials, rigid)
@@ -206,7 +210,13 @@ def _rigid_rows(root: Element, state: Prescribed, materials: list[Element], rigi
     """Keywords of the rigid bodies."""
     mesh = state.mesh
     deformable = {n for part in mesh.parts if part not in rigid for nodes in mesh.parts[part].values() for n in nodes}
-    tied = [bc for place in _places(root) for s in place.all("Boundary") for bc in s.children if bc.given.get("type") == "rigid"]
+    tied = [
+        bc
+        for place in _places(root)
+        for s in place.all("Boundary")
+        for bc in s.children
+        if bc.given.get("type") == "rigid"
+    ]
     rules = [rule for place in _places(root) for section in place.all("Rigid") for rule in section.children]
     domains = {each.given.get("name", ""): each for section in root.all("MeshDomains") for each in section.children}
     for body in (each for each in materials if each.given.get("type") == RIGID):

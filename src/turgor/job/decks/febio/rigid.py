@@ -11,9 +11,7 @@ from turgor.job.decks.febio.prescribed import DIRECTIONS, Prescribed
 TURNS = ("Ru", "Rv", "Rw")
 
 
-def rigid_rows(
-    state: Prescribed, body: Element, nodes: Sequence[int], rules: Sequence[Element]
-) -> Iterator[Keyword]:
+def rigid_rows(state: Prescribed, body: Element, nodes: Sequence[int], rules: Sequence[Element]) -> Iterator[Keyword]:
     """Keywords of one rigid body: its nodes stay, or go the way of the body.
 
     Parameters
@@ -62,7 +60,9 @@ def _prescribe(state: Prescribed, nodes: Sequence[int], rules: Sequence[Element]
             factor, name, rows = state.amplitude(value, starts=False)
             freedom = DIRECTIONS[rule.word("dof")[1].lower()]
             yield from rows
-            yield rule.keyword("boundary", [f"{node}, {freedom}, {freedom}, {factor!r}" for node in nodes], amplitude=name)
+            yield rule.keyword(
+                "boundary", [f"{node}, {freedom}, {freedom}, {factor!r}" for node in nodes], amplitude=name
+            )
         else:
             yield rule.unneeded("it stops the body from turning")
 
