@@ -1,4 +1,4 @@
-"""Deck: an .inp file, or a .feb file as the keywords of one, with its nodes, cells, sets and steps, by the numbers of the file."""
+"""Deck: an .inp file, or a .feb file as keywords: nodes, cells, sets and steps, by the numbers of the file."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -30,8 +30,8 @@ from turgor.job.decks.units import DeckUnits
 
 #: Names of the laws of ``*HYPERELASTIC`` that stand as parameters.
 _LAWS = (
-    "neo hooke", "neo hooke coupled", "mooney-rivlin", "yeoh", "reduced polynomial", "polynomial", "ogden", "arruda-boyce", "van der waals",
-    "marlow", "user", "test data input",
+    "neo hooke", "neo hooke coupled", "mooney-rivlin", "yeoh", "reduced polynomial", "polynomial", "ogden",
+    "arruda-boyce", "van der waals", "marlow", "user", "test data input",
 )  # fmt: skip
 
 #: Behavior of a material that has no form here.

@@ -147,7 +147,7 @@ def test_nodes_of_a_rigid_body_that_does_not_turn_go_its_way(tmp_path):
 
 
 def two_blocks(folder, gap, kind, more=""):
-    lower = [row for row in POINTS.splitlines()[:8]]
+    lower = POINTS.splitlines()[:8]
     upper = []
     for number, row in enumerate(lower, 31):
         x, y, z = (float(part) for part in row.split(">")[1].split("<")[0].split(","))

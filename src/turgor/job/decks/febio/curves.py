@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -51,7 +52,7 @@ class Curve:
         times = {0.0, end, *(t for t, _ in self.points if 0 < t < end)}
         if self.shape == "SMOOTH" and len(self.points) > 2:
             knots = sorted({*times, *(t for t in (first, last) if 0 < t < end)})
-            times |= {t for a, b in zip(knots, knots[1:], strict=False) for t in np.linspace(a, b, PIECES + 1).tolist()}
+            times |= {t for a, b in pairwise(knots) for t in np.linspace(a, b, PIECES + 1).tolist()}
         return [(time, self._at(time)) for time in sorted(times)]
 
     def _steps(self, end: float) -> Points:
@@ -121,4 +122,4 @@ def _pair(point: Element) -> tuple[float, float]:
 
 
 def _backward(points: Sequence[tuple[float, float]]) -> bool:
-    return any(b[0] <= a[0] for a, b in zip(points, points[1:], strict=False))
+    return any(b[0] <= a[0] for a, b in pairwise(points))

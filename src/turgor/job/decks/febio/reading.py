@@ -59,10 +59,9 @@ def keywords_of_febio(path: Path) -> list[Keyword]:
     supports, loads = _prescribed(root, state, materials, rigid, alone=len(ends) == 1)
     rows += [row for row in supports if row.name != "boundary" or "amplitude" not in row.given]
     moved = [row for row in supports if row.name == "boundary" and "amplitude" in row.given]
-    first, *others = steps
     visco = any(row.name == "viscoelastic" for row in rows)
     for step in steps:
-        rows += _step_rows(step, [*moved, *loads] if step is first else [], visco=visco)
+        rows += _step_rows(step, [*moved, *loads] if step is steps[0] else [], visco=visco)
     return [*rows, *_left(root)]
 
 

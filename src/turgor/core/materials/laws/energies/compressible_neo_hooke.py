@@ -16,9 +16,9 @@ from turgor.foundation.given import Quantity
 class CompressibleNeoHooke:
     """Neo-Hookean law W = ½ μ (I₁ − 3) − μ ln J + ½ λ (ln J)² of soft solids that change their volume.
 
-    Bonet and Wood, Nonlinear Continuum Mechanics for Finite Element Analysis, 2nd ed. 2008, Eq. 6.27; the ``neo-Hookean``
-    material of FEBio. Its energy has the change of volume; a material of it has no bulk modulus besides. For rubber
-    proper take `NeoHooke` with a bulk modulus, which does not lock.
+    Bonet and Wood, Nonlinear Continuum Mechanics for Finite Element Analysis, 2nd ed. 2008, chapter 6; the
+    material ``neo-Hookean`` of FEBio. Its energy has the change of volume; a material of it states no bulk modulus.
+    For rubber, which hardly changes its volume, take `NeoHooke`.
 
     Parameters
     ----------
