@@ -33,11 +33,11 @@ def contact_rows(state: Prescribed, contact: Element) -> Iterator[Keyword]:
         yield contact.missing(str(error))
         return
     if kind in TIED:
-        yield contact.keyword("tie", [", ".join(names)], name=pair)
+        yield contact.keyword("tie", [", ".join(names)], {"name": pair})
         return
     if contact.number("tension", 0.0):
         yield contact.missing("contact that may pull has no form here.")
         return
-    yield contact.keyword("surface interaction", name=pair)
+    yield contact.keyword("surface interaction", [], {"name": pair})
     yield contact.keyword("friction", [repr(contact.number("fric_coeff", 0.0))])
-    yield contact.keyword("contact pair", [", ".join(names)], interaction=pair)
+    yield contact.keyword("contact pair", [", ".join(names)], {"interaction": pair})

@@ -71,8 +71,8 @@ class Curve:
         if not times[0] <= time <= times[-1]:
             if self.extend != "EXTRAPOLATE":
                 return float(values[0] if time < times[0] else values[-1])
-            near, other = (0, 1) if time < times[0] else (-1, -2)
-            slope = (values[near] - values[other]) / (times[near] - times[other])
+            near, next_one = (0, 1) if time < times[0] else (-1, -2)
+            slope = (values[near] - values[next_one]) / (times[near] - times[next_one])
             return float(values[near] + slope * (time - times[near]))
         if self.shape == "LINEAR" or len(times) == 2:
             return float(np.interp(time, times, values))

@@ -1,7 +1,7 @@
 """Elements of an XML file, each with its line: the parser of the standard library without entities."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NoReturn
@@ -91,9 +91,9 @@ class Element:
             child.fail(f"it has {len(values)} numbers; one is needed.")
         return values[0]
 
-    def keyword(self, kind: str, lines: list[str] | None = None, /, **given: str) -> Keyword:
+    def keyword(self, kind: str, lines: Sequence[str] = (), given: Mapping[str, str] | None = None) -> Keyword:
         """A keyword of a deck that stands for it."""
-        return Keyword(kind, given, self.path, self.line, lines or [], self.label)
+        return Keyword(kind, dict(given or {}), self.path, self.line, list(lines), self.label)
 
     def missing(self, why: str) -> Keyword:
         """A keyword that says why a job cannot express it."""

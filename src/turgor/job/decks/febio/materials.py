@@ -27,7 +27,7 @@ def material_rows(material: Element, name: str, *, weighs: bool) -> Rows:
     weighs : bool
         Whether a load needs its density.
     """
-    rows = [material.keyword("material", name=name)]
+    rows = [material.keyword("material", [], {"name": name})]
     try:
         rows += _law(material)
         if weighs:
@@ -48,7 +48,7 @@ def _law(material: Element) -> Rows:
 
 def _neo_hooke(material: Element) -> Rows:
     E, nu = material.number("E"), material.number("v")
-    return [material.keyword("hyperelastic", [f"{E!r}, {nu!r}"], **{"neo hooke coupled": ""})]
+    return [material.keyword("hyperelastic", [f"{E!r}, {nu!r}"], {"neo hooke coupled": ""})]
 
 
 def _elastic(material: Element) -> Rows:
@@ -95,7 +95,7 @@ def _viscoelastic(material: Element) -> Rows:
     if bulk:
         raise TurgorError("a k besides that of the law has no form here; add it there.")
     series = [f"{g / total!r}, 0., {tau!r}" for g, tau in terms if g]
-    return [*rows, material.keyword("viscoelastic", series, time="prony")]
+    return [*rows, material.keyword("viscoelastic", series, {"time": "prony"})]
 
 
 def _form(material: Element, law: str, constants: list[float], **given: str) -> Keyword:
@@ -105,7 +105,7 @@ def _form(material: Element, law: str, constants: list[float], **given: str) -> 
         raise TurgorError(f"k is {k:g}; a positive bulk modulus is needed.")
     order = int(given.get("n", "1"))
     values = [*constants, 2 / k, *[0.0] * (order - 1)]
-    return material.keyword("hyperelastic", [", ".join(map(repr, values))], **{law: "", **given})
+    return material.keyword("hyperelastic", [", ".join(map(repr, values))], {law: "", **given})
 
 
 _LAWS: Mapping[str, Callable[[Element], Rows]] = {

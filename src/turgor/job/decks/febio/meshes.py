@@ -42,7 +42,9 @@ class FebMesh:
     facets : dict of str to list of tuple of int
         Corners of the facets of each surface.
     owners : dict of str to Element
-        Where sets and surfaces are defined.
+        Where parts and surfaces are defined.
+    pairs : dict of str to tuple of str
+        Two surfaces that touch or are tied.
     """
 
     points: dict[int, tuple[float, ...]] = field(default_factory=dict)
@@ -77,7 +79,7 @@ class FebMesh:
 
     def sides(self, left_out: Iterable[str]) -> dict[frozenset[int], tuple[int, str]]:
         """Cell and label of each side of the solid cells, by its corners, but for some parts."""
-        table = {}
+        table: dict[frozenset[int], tuple[int, str]] = {}
         rigid = set(left_out)
         for part, cells in self.parts.items():
             if not self.solids[part] or part in rigid:

@@ -33,8 +33,6 @@ class Prescribed:
         End of the last step, and of the first increment, in which supports jump.
     sides : mapping
         Cell and label of a side, by its corners.
-    rigid : mapping of str to list of int
-        Nodes that follow each rigid body, by the name of its material and by its ``id``.
     sheets : bool
         Whether there are shells.
     used : dict of str to str
@@ -85,7 +83,7 @@ class Prescribed:
             points.insert(1, (self.first, curve.over(self.first)[-1][1]))
         name = f"curve {number or 'none'}{'' if starts else ' of a support'}"
         lines = [f"{time!r}, {factor!r}" for time, factor in points]
-        return name, [value.keyword("amplitude", lines, name=name, time="total time")]
+        return name, [value.keyword("amplitude", lines, {"name": name, "time": "total time"})]
 
 
 def boundary_rows(state: Prescribed, bc: Element) -> Rows:
@@ -148,7 +146,7 @@ def _moved(state: Prescribed, bc: Element) -> list[Keyword]:
     lines = [f"{node}, {DIRECTIONS[word]}, {DIRECTIONS[word]}, {factor!r}" for node in nodes]
     if not factor:
         return [bc.keyword("boundary", lines)]
-    return [*rows, bc.keyword("boundary", lines, amplitude=name)]
+    return [*rows, bc.keyword("boundary", lines, {"amplitude": name})]
 
 
 def _rigid(state: Prescribed, bc: Element) -> list[Keyword]:
@@ -173,7 +171,7 @@ def _nodal(state: Prescribed, load: Element) -> list[Keyword]:
         for freedom in parts:
             state.claim(f"node {node} along {'xyz'[freedom - 1]}", name, adds=True)
     lines = [f"{node}, {freedom}, {part!r}" for node in nodes for freedom, part in parts.items()]
-    return [*rows, load.keyword("cload", lines, amplitude=name)]
+    return [*rows, load.keyword("cload", lines, {"amplitude": name})]
 
 
 def _pressure(state: Prescribed, load: Element) -> list[Keyword]:
@@ -185,7 +183,7 @@ def _pressure(state: Prescribed, load: Element) -> list[Keyword]:
     factor, name, rows = state.amplitude(value, starts=True)
     surface, more = _surface(state, load)
     state.claim(f"surface '{load.given.get('surface', '')}'", name)
-    return [*rows, *more, load.keyword("dsload", [f"{surface}, P, {factor!r}"], amplitude=name)]
+    return [*rows, *more, load.keyword("dsload", [f"{surface}, P, {factor!r}"], {"amplitude": name})]
 
 
 def _traction(state: Prescribed, load: Element) -> list[Keyword]:
@@ -204,7 +202,7 @@ def _traction(state: Prescribed, load: Element) -> list[Keyword]:
     surface, more = _surface(state, load)
     state.claim(f"traction of '{load.given.get('surface', '')}' along {parts}", name)
     line = f"{surface}, TRVEC, {factor * size!r}, " + ", ".join(repr(part) for part in parts)
-    return [*rows, *more, load.keyword("dsload", [line], amplitude=name, follower="no")]
+    return [*rows, *more, load.keyword("dsload", [line], {"amplitude": name, "follower": "no"})]
 
 
 def _body_force(state: Prescribed, load: Element) -> list[Keyword]:
@@ -212,7 +210,8 @@ def _body_force(state: Prescribed, load: Element) -> list[Keyword]:
     if load.given.get("elem_set"):
         raise TurgorError("a force on a part of the cells has no form here; it acts on all.")
     rows: list[Keyword] = []
-    names, vector = [], [0.0, 0.0, 0.0]
+    names: list[str] = []
+    vector = [0.0, 0.0, 0.0]
     sign = -1.0 if load.given["type"] == "const" else 1.0
     for place, axis in enumerate("xyz"):
         value = load.first(axis)
@@ -232,7 +231,7 @@ def _body_force(state: Prescribed, load: Element) -> list[Keyword]:
     if len(set(names)) > 1:
         raise TurgorError("a force whose parts follow different curves has no form here.")
     line = f"FEBIO_ALL, GRAV, {size!r}, " + ", ".join(repr(part / size) for part in vector)
-    return [*rows, load.keyword("dload", [line], amplitude=names[0])]
+    return [*rows, load.keyword("dload", [line], {"amplitude": names[0]})]
 
 
 def _surface(state: Prescribed, user: Element) -> tuple[str, list[Keyword]]:
@@ -250,10 +249,14 @@ def surface_named(state: Prescribed, user: Element, name: str) -> tuple[str, lis
         owner = state.mesh.owners[f"surface {name}"]
         raise TurgorError(f"the surface '{name}' in line {owner.line} has facets that are no sides of solid cells.")
     plain = "".join(letter if letter.isalnum() or letter in "_-" else "_" for letter in name)
-    state.used[name] = plain if plain.lower() not in {each.lower() for each in state.used.values()} else f"{plain}_b"
+    state.used[name] = (
+        plain
+        if plain.lower() not in {each.lower() for each in state.used.values()}
+        else f"{plain}_{len(state.used) + 1}"
+    )
     lines = [f"{side[0]}, {side[1]}" for side in sides if side is not None]
     owner = state.mesh.owners[f"surface {name}"]
-    return state.used[name], [owner.keyword("surface", lines, name=state.used[name], type="element")]
+    return state.used[name], [owner.keyword("surface", lines, {"name": state.used[name], "type": "element"})]
 
 
 def _vector(value: Element) -> list[float]:

@@ -85,10 +85,12 @@ def _sections(root: Element, mesh: FebMesh, materials: list[Element]) -> tuple[l
         if material.given.get("type") == RIGID:
             rigid.append(part)
         elif mesh.solids[part]:
-            rows.append(domain.keyword("solid section", elset=_plain(part), material=name))
+            rows.append(domain.keyword("solid section", [], {"elset": _plain(part), "material": name}))
         else:
             rows.append(
-                domain.keyword("shell section", _thickness(root, domain, part), elset=_plain(part), material=name)
+                domain.keyword(
+                    "shell section", _thickness(root, domain, part), {"elset": _plain(part), "material": name}
+                )
             )
     return rows, rigid
 
@@ -119,14 +121,14 @@ def _mesh_rows(root: Element, mesh: FebMesh, rigid: list[str]) -> Iterator[Keywo
             continue
         kind = CELLS[owner.given["type"]][0]
         lines = [", ".join(map(str, [number, *nodes])) for number, nodes in cells.items()]
-        yield owner.keyword("element", lines, type=kind, elset=_plain(part))
+        yield owner.keyword("element", lines, {"type": kind, "elset": _plain(part)})
     solid = [part for part in mesh.parts if part not in rigid and mesh.solids[part]]
-    yield section.keyword("elset", [_plain(part) for part in solid], elset="FEBIO_ALL")
+    yield section.keyword("elset", [_plain(part) for part in solid], {"elset": "FEBIO_ALL"})
     deformable = {node for part in solid for nodes in mesh.parts[part].values() for node in nodes}
     for name, members in mesh.node_sets.items():
         inside = [str(node) for node in members if node in deformable]
         if inside and len(inside) < len(mesh.points) and not name.isdigit():
-            yield section.keyword("nset", [", ".join(inside)], nset=_plain(name))
+            yield section.keyword("nset", [", ".join(inside)], {"nset": _plain(name)})
 
 
 def _plain(name: str) -> str:

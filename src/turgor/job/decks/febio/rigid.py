@@ -61,7 +61,7 @@ def _prescribe(state: Prescribed, nodes: Sequence[int], rules: Sequence[Element]
             freedom = DIRECTIONS[rule.word("dof")[1].lower()]
             yield from rows
             yield rule.keyword(
-                "boundary", [f"{node}, {freedom}, {freedom}, {factor!r}" for node in nodes], amplitude=name
+                "boundary", [f"{node}, {freedom}, {freedom}, {factor!r}" for node in nodes], {"amplitude": name}
             )
         else:
             yield rule.unneeded("it stops the body from turning")
