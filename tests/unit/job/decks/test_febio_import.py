@@ -101,6 +101,21 @@ def test_supports_of_febio_3_and_4_and_a_step_in_the_first_increment(tmp_path):
     assert [share_at(moved.way, s) for s in (0.0, 0.05, 0.1, 1.0)] == pytest.approx([0, 0.5, 1, 1])
 
 
+def test_smooth_curves_blend_parabolas(tmp_path):
+    curve = "<interpolate>SMOOTH</interpolate><points><pt>0,0</pt><pt>.25,1</pt><pt>.5,0</pt><pt>1,1</pt></points>"
+    (load,) = job_of(feb(tmp_path, curve=curve), tmp_path).loads
+    shares = [share_at(load.history, s) for s in (0.125, 0.25, 0.375, 0.5, 0.75, 1.0)]
+    # the first parabola, the mean of both parabolas between the inner points, the last parabola
+    assert shares == pytest.approx([0.75, 1, 0.5625, 0, 0, 1], abs=2e-3)
+
+
+def test_nodes_of_a_set_of_cells(tmp_path):
+    mesh = BRICKS + SETS + '<ElementSet name="UPPER">2</ElementSet>'
+    boundary = FIXED + FIXED.replace("BOTTOM", "@elem_set:UPPER").replace("<x_dof>1", "<x_dof>0")
+    job = job_of(feb(tmp_path, mesh=mesh, boundary=boundary), tmp_path)
+    assert sorted(each.directions for each in job.supports) == ["x", "yz"]
+
+
 def test_steps_are_one_path(tmp_path):
     first = "<Control><time_steps>1</time_steps><step_size>1</step_size></Control>"
     file = feb(tmp_path, curve="<points><pt>0,0</pt><pt>4,1</pt></points>")

@@ -45,6 +45,8 @@ class FebMesh:
         Where parts and surfaces are defined.
     pairs : dict of str to tuple of str
         Two surfaces that touch or are tied.
+    cell_sets : dict of str to list of int
+        Numbers of cells.
     """
 
     points: dict[int, tuple[float, ...]] = field(default_factory=dict)
@@ -55,12 +57,16 @@ class FebMesh:
     facets: dict[str, list[tuple[int, ...]]] = field(default_factory=dict)
     owners: dict[str, Element] = field(default_factory=dict)
     pairs: dict[str, tuple[str, str]] = field(default_factory=dict)
+    cell_sets: dict[str, list[int]] = field(default_factory=dict)
 
     def nodes_of(self, user: Element, name: str) -> list[int]:
         """Nodes of a set that an element names, or of a surface or part behind a sign such as ``@surface:``."""
         sign, _, rest = name.rpartition(":")
         if sign == "@surface":
             return sorted({node for facet in self.facet_rows(user, rest) for node in facet})
+        if sign == "@elem_set" and rest in self.cell_sets:
+            cells = {number: nodes for rows in self.parts.values() for number, nodes in rows.items()}
+            return sorted({node for number in self.cell_sets[rest] for node in cells.get(number, ())})
         if sign in ("@part", "@elem_set", "@part_list"):
             if rest not in self.parts:
                 user.fail(f"there is no part '{rest}'{near_match(rest, self.parts) or '.'}")
@@ -179,6 +185,11 @@ def _take_pair(mesh: FebMesh, section: Element) -> Iterator[Keyword]:
     yield from ()
 
 
+def _take_cell_set(mesh: FebMesh, section: Element) -> Iterator[Keyword]:
+    mesh.cell_sets[section.given.get("name", "")] = section.whole_numbers()
+    yield section.unneeded("a set of cells, for supports that name it")
+
+
 def _pass(mesh: FebMesh, section: Element) -> Iterator[Keyword]:
     yield section.unneeded("it changes no result")
 
@@ -196,6 +207,6 @@ _TAKERS = {
     "NodeSet": _take_node_set,
     "Surface": _take_surface,
     "SurfacePair": _take_pair,
-    "ElementSet": _pass,
+    "ElementSet": _take_cell_set,
     "PartList": _pass,
 }

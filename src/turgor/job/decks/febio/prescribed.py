@@ -212,18 +212,12 @@ def _body_force(state: Prescribed, load: Element) -> list[Keyword]:
     rows: list[Keyword] = []
     names: list[str] = []
     vector = [0.0, 0.0, 0.0]
-    sign = -1.0 if load.given["type"] == "const" else 1.0
     for place, axis in enumerate("xyz"):
         value = load.first(axis)
         if value is not None and (factor := _single(value)):
-            vector[place] = sign * factor
+            vector[place] = -factor
             name, more = state.history(value, starts=True)
             rows, names = [*rows, *more], [*names, name]
-    force = load.first("force")
-    if force is not None:
-        vector = [sign * part for part in _vector(force)]
-        name, rows = state.history(force, starts=True)
-        names = [name]
     size = float(np.linalg.norm(vector))
     if not size:
         return [load.unneeded("it is zero")]
@@ -293,5 +287,4 @@ _LOADS: Mapping[tuple[str, str], Callable[[Prescribed, Element], list[Keyword]]]
     ("surface_load", "pressure"): _pressure,
     ("surface_load", "traction"): _traction,
     ("body_load", "const"): _body_force,
-    ("body_load", "body force"): _body_force,
 }
