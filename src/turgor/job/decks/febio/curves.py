@@ -78,10 +78,9 @@ class Curve:
             return float(np.interp(time, times, values))
         n = max(1, int(np.searchsorted(times, time)))
         lower, upper = max(0, n - 2), min(n - 1, len(times) - 3)
+        # the two are one in the first and in the last piece
         one, other = (_parabola(time, times[k : k + 3], values[k : k + 3]) for k in (lower, upper))
         share = (time - times[n - 1]) / (times[n] - times[n - 1])
-        if n in (1, len(times) - 1):  # one parabola in the first and the last piece
-            return float(other if n == 1 else one)
         return float(one + (other - one) * share)
 
 
