@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from turgor.core.materials.laws.curves import curve as curve
     from turgor.core.materials.laws.laws import ArrudaBoyce as ArrudaBoyce
     from turgor.core.materials.laws.laws import BlatzKo as BlatzKo
+    from turgor.core.materials.laws.laws import CompressibleNeoHooke as CompressibleNeoHooke
     from turgor.core.materials.laws.laws import ExtendedTube as ExtendedTube
     from turgor.core.materials.laws.laws import GeneralizedRivlin as GeneralizedRivlin
     from turgor.core.materials.laws.laws import Gent as Gent

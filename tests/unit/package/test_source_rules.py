@@ -24,7 +24,11 @@ OPEN_KEYWORDS = ("src/turgor/studies/runs/sweep.py: sweep",)
 LONGEST_FILE, LARGEST_FOLDER = 500, 15
 
 #: Folders that may have more files: lists of like things.
-LARGE_FOLDERS = ("src/turgor/core/geometry/actuators", "src/turgor/core/model/loads")
+LARGE_FOLDERS = (
+    "src/turgor/core/geometry/actuators",
+    "src/turgor/core/materials/laws/energies",
+    "src/turgor/core/model/loads",
+)
 
 
 def name_of(path):

@@ -19,6 +19,7 @@ from turgor.core.engine.system import System
 from turgor.core.materials.laws.laws import (
     ArrudaBoyce,
     BlatzKo,
+    CompressibleNeoHooke,
     ExtendedTube,
     GeneralizedRivlin,
     Gent,
@@ -67,6 +68,7 @@ CASES = {
     "fibers in a body": (FIBERS, np.inf, None, ()),
     "print": (PRINT, np.inf, None, ()),
     "hyperfoam": (FOAM, np.inf, None, ()),
+    "compressible neo-Hooke": (CompressibleNeoHooke(mu=1e5, nu=0.3), np.inf, None, ()),
     "Blatz-Ko": (BlatzKo(mu=1e5), np.inf, None, ()),
     "Gent, incompressible": (Gent(mu=2e5, Jm=30.0), np.inf, None, ()),
     "Arruda-Boyce, incompressible": (ArrudaBoyce(mu=2e5, locking_stretch=2.5), np.inf, None, ()),

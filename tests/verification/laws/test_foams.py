@@ -22,7 +22,7 @@ from turgor.core.materials.laws.homogeneous import (
     simple_shear,
     uniaxial,
 )
-from turgor.core.materials.laws.laws import BlatzKo, Hyperfoam
+from turgor.core.materials.laws.laws import BlatzKo, CompressibleNeoHooke, Hyperfoam
 from turgor.core.meshing.cells import HEXAHEDRON
 
 BLATZ_KO = BlatzKo(mu=30e3)
@@ -91,6 +91,24 @@ def test_pull_of_two_terms(deformation, moved, held, stretch, record_verificatio
     assert got == pytest.approx(exact[0, 0], rel=1e-8)
     for face in (*moved[1:], *held):
         assert problems.reaction(state, face)[1] == pytest.approx(exact[1, 1], rel=1e-8)
+
+
+@pytest.mark.parametrize("stretch", [0.6, 1.5])
+def test_strain_along_one_axis_of_the_compressible_neo_hookean_law(stretch, record_verification):
+    """No side moves across: P = μ (λ − 1/λ) + Λ ln λ/λ with Λ = 2 μν/(1 − 2ν)."""
+    law, nu = CompressibleNeoHooke(mu=20e3, nu=0.3), 0.3
+    state = _state(law, ("x1",), ("y1", "z1"), stretch)
+    lame = 2 * 20e3 * nu / (1 - 2 * nu)
+    along = 20e3 * (stretch - 1 / stretch) + lame * np.log(stretch) / stretch
+    got = [problems.reaction(state, "x1")[0], problems.reaction(state, "y1")[1]]
+    record_verification(
+        claim=f"nominal stresses of the compressible neo-Hookean law at a strain along one axis, {stretch} [MPa]",
+        source="closed form",
+        expected=[along / problems.MPA, lame * np.log(stretch) / problems.MPA],
+        got=[each / problems.MPA for each in got],
+        tolerance="1e-8",
+    )
+    assert got == pytest.approx([along, lame * np.log(stretch)], rel=1e-8)
 
 
 def test_simple_shear_and_its_fields(record_verification):

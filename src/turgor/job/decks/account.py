@@ -23,7 +23,7 @@ class DeckRow:
     line : int
         Where the keyword stands.
     keyword : str
-        In upper case, without its star.
+        In upper case, without its star; an element of a .feb file in its brackets.
     verdict : str
         ``"taken"``; ``"not needed"`` where it changes no result; ``"missing"`` where the job is another model
         without it.
@@ -44,7 +44,12 @@ class DeckRow:
 
     def __str__(self) -> str:
         what = "is missing" if self.verdict == MISSING else self.verdict
-        return f"{self.file.name}:{self.line} *{self.keyword} {what}: {self.text}"
+        return f"{self.file.name}:{self.line} {self.title} {what}: {self.text}"
+
+    @property
+    def title(self) -> str:
+        """The keyword with its star, or the element."""
+        return self.keyword if self.keyword.startswith("<") else f"*{self.keyword}"
 
 
 @dataclass(slots=True)
@@ -84,6 +89,8 @@ class Account:
 
 def shown(keyword: "Keyword") -> str:
     """Return a keyword as a deck has it, with the parameters that say which one it is."""
+    if keyword.label:
+        return keyword.label
     telling = ("type", "name", "elset", "nset", "material", "time")
     parts = [f"{key.upper()}={value}" for key, value in keyword.given.items() if key in telling and value]
     parts += [key.upper() for key, value in keyword.given.items() if not value]

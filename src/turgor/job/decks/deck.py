@@ -1,4 +1,4 @@
-"""Deck: an .inp file with its nodes, cells, sets and steps, by the numbers of the file."""
+"""Deck: an .inp file, or a .feb file as keywords: nodes, cells, sets and steps, by the numbers of the file."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,6 +12,7 @@ from turgor.core.meshing.exchange.formats.abaqus import Content, Keyword, conten
 from turgor.core.meshing.exchange.formats.abaqus_sets import SIDES, CellTable, NumberSets
 from turgor.core.meshing.exchange.formats.raw import KINDS
 from turgor.foundation.errors import TurgorError
+from turgor.job.decks.febio.reading import keywords_of_febio
 
 Ints = NDArray[np.int64]
 
@@ -146,7 +147,7 @@ class Deck:
 
 
 def read_deck(path: Path) -> Deck:
-    """Read an .inp file with all that it includes.
+    """Read an .inp file with all that it includes, or a .feb file.
 
     Raises
     ------
@@ -155,7 +156,7 @@ def read_deck(path: Path) -> Deck:
     """
     if not path.is_file():
         raise TurgorError(f"'{path}' is a folder, no deck." if path.is_dir() else f"there is no deck '{path}'.")
-    keywords = keywords_of(path)
+    keywords = keywords_of_febio(path) if path.suffix.lower() == ".feb" else keywords_of(path)
     model: list[Keyword] = []
     steps: list[list[Keyword]] = []
     within = False

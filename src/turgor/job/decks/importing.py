@@ -1,4 +1,4 @@
-"""import_deck: a deck of Abaqus or CalculiX as a job file, with an account of what was understood."""
+"""import_deck: a deck of Abaqus, CalculiX or FEBio as a job file, with an account of what was understood."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -13,6 +13,7 @@ from turgor.job.decks.account import MISSING, Account, DeckRow
 from turgor.job.decks.contact import contact_of
 from turgor.job.decks.deck import Deck, read_deck
 from turgor.job.decks.directions import axes_of
+from turgor.job.decks.febio.reading import stated_units
 from turgor.job.decks.loads import loads_of
 from turgor.job.decks.materials import materials_of
 from turgor.job.decks.mirrors import take_mirrors
@@ -92,15 +93,16 @@ class DeckImport:
         return place / f"{self.name}.toml"
 
 
-def import_deck(path: str | Path, *, units: str = USUAL, partial: bool = False) -> DeckImport:
-    """Read a deck of Abaqus or CalculiX as a job: mesh, materials, supports, loads, contact and steps.
+def import_deck(path: str | Path, *, units: str | None = None, partial: bool = False) -> DeckImport:
+    """Read a deck of Abaqus, CalculiX or FEBio as a job: mesh, materials, supports, loads, contact and steps.
 
     Parameters
     ----------
     path : str or Path
-        The .inp file.
-    units : str
-        Units of length, force and stress of its numbers, which it does not state.
+        The .inp or .feb file.
+    units : str, optional
+        Units of length, force and stress of its numbers, such as ``"m, N, Pa"``; those that a .feb file states by
+        default, else ``"mm, N, MPa"``.
     partial : bool
         Whether a deck with keywords that have no form here becomes a job without them, which is another model. By
         default such a deck is refused.
@@ -115,8 +117,10 @@ def import_deck(path: str | Path, *, units: str = USUAL, partial: bool = False) 
         If the deck cannot be read, or is not understood as a whole and ``partial`` is False; the message names the
         keywords with their lines.
     """
-    file, scale = Path(path), DeckUnits.of(units)
-    deck, account = read_deck(file), Account()
+    file, account = Path(path), Account()
+    deck = read_deck(file)
+    units = units or stated_units(file) or USUAL
+    scale = DeckUnits.of(units)
     if not deck.solids:
         raise TurgorError(f"'{file}' has no solid cells; bodies are solids here, and sheets lie on their faces.")
     names = MeshNames(deck)
@@ -183,6 +187,10 @@ def _account_rest(deck: Deck, account: Account) -> None:
         elif keyword.name in _UNUSED:
             if keyword.name not in ("step", "static", "visco"):
                 account.not_needed(keyword, "it changes no result")
+        elif keyword.name == "not needed":  # of a .feb file
+            account.not_needed(keyword, keyword.lines[0])
+        elif keyword.name == "missing":
+            account.missing(keyword, keyword.lines[0])
         elif not account.has(keyword):
             account.missing(keyword, "it has no form here, or none in this place.")
 

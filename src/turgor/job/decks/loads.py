@@ -7,13 +7,13 @@ import numpy as np
 
 from turgor.core.geometry.directions import DIRECTIONS
 from turgor.core.model.history import History
-from turgor.core.model.loads import Force, Gravity, Load, Pressure
+from turgor.core.model.loads import Force, Gravity, Load, Pressure, Traction
 from turgor.core.model.places import NodesAt
 from turgor.job.decks.account import Account
 from turgor.job.decks.directions import NodeAxes
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.steps import Path
-from turgor.job.decks.tracks import FORCE, GRAVITY, PRESSURE, SAME
+from turgor.job.decks.tracks import FORCE, GRAVITY, PRESSURE, SAME, TRACTION
 from turgor.job.decks.uniform import uniform_sides
 from turgor.job.decks.units import DeckUnits
 
@@ -43,6 +43,7 @@ def loads_of(
     whole = replace(units, force=units.force * images)
     return (
         *_pressures(path, names, units, account),
+        *_tractions(path, names, units, account),
         *_gravities(path, units, account),
         *_forces(path, names, axes, whole, account),
     )
@@ -65,9 +66,26 @@ def _pressures(path: Path, names: MeshNames, units: DeckUnits, account: Account)
         alike.setdefault(track.history(), []).extend((where if not label else "pressed", side) for side in sides)
     for (value, history), rows in alike.items():
         wishes = {wish for wish, _ in rows}
-        name = names.named_surface(wishes.pop() if len(wishes) == 1 else "pressed", (side for _, side in rows))
+        name = names.loaded_surface(wishes.pop() if len(wishes) == 1 else "pressed", (side for _, side in rows))
         if value:
             yield Pressure(name, value * units.stress, history)
+
+
+def _tractions(path: Path, names: MeshNames, units: DeckUnits, account: Account) -> Iterable[Load]:
+    """A traction for each surface and direction."""
+    solid = set(path.deck.solid_numbers.tolist())
+    for target, track in path.tracks.of.items():
+        if not isinstance(target, tuple) or target[0] != TRACTION:
+            continue
+        _, where, direction = target
+        sides = path.deck.surface(where) or ()
+        size, history = track.history()
+        length = float(np.linalg.norm(direction))
+        if any(side[0] not in solid for side in sides) or not length:
+            account.missing(path.tracks.keywords[target], "a traction needs solid cells and a direction.")
+        elif size:
+            vector = size * units.stress / length * np.array(direction)
+            yield Traction(names.loaded_surface(where, sides), _rounded(vector), history)
 
 
 def _gravities(path: Path, units: DeckUnits, account: Account) -> Iterable[Load]:
@@ -103,7 +121,7 @@ def _forces(path: Path, names: MeshNames, axes: NodeAxes, units: DeckUnits, acco
         alike = {node: vector for (node, each), vector in vectors.items() if each == history}
         sides = uniform_sides(path.deck, alike)
         if sides:
-            yield Force(names.named_surface("pulled", sides), _rounded(sum(alike.values(), np.zeros(3))), history)
+            yield Force(names.loaded_surface("pulled", sides), _rounded(sum(alike.values(), np.zeros(3))), history)
             vectors = {key: vector for key, vector in vectors.items() if key[1] != history}
     if len(vectors) > MOST_FORCES:
         keyword = next(k for t, k in path.tracks.keywords.items() if isinstance(t, tuple) and t[0] == FORCE)

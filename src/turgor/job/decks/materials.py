@@ -9,6 +9,7 @@ from turgor.core.materials.history.softening import Mullins
 from turgor.core.materials.history.viscoelastic import Prony
 from turgor.core.materials.laws.laws import (
     ArrudaBoyce,
+    CompressibleNeoHooke,
     GeneralizedRivlin,
     Hooke,
     Hyperfoam,
@@ -29,8 +30,8 @@ from turgor.job.decks.units import DeckUnits
 
 #: Names of the laws of ``*HYPERELASTIC`` that stand as parameters.
 _LAWS = (
-    "neo hooke", "mooney-rivlin", "yeoh", "reduced polynomial", "polynomial", "ogden", "arruda-boyce", "van der waals",
-    "marlow", "user", "test data input",
+    "neo hooke", "neo hooke coupled", "mooney-rivlin", "yeoh", "reduced polynomial", "polynomial", "ogden",
+    "arruda-boyce", "van der waals", "marlow", "user", "test data input",
 )  # fmt: skip
 
 #: Behavior of a material that has no form here.
@@ -135,6 +136,8 @@ def _hyperelastic(draft: _Draft, keyword: Keyword, units: DeckUnits) -> None:
         raise TurgorError("constants that depend on temperature have no form here; give one row.")
     values += [0.0] * (count - len(values))
     draft.fields["law"] = make(values[:count], units.stress)
+    if law == "neo hooke coupled":  # of FEBio; its energy has the change of volume
+        return
     draft.fields["bulk_modulus"] = _bulk(values[count : count + _compressions(law, order)], units)
     draft.moduli = keyword.given.get("moduli", "long term").lower().replace(" ", "_")
 
@@ -148,7 +151,7 @@ def _bulk(compressions: Sequence[float], units: DeckUnits) -> float:
 
 
 def _compressions(law: str, order: int) -> int:
-    return {"yeoh": 3, "neo hooke": 1, "mooney-rivlin": 1, "arruda-boyce": 1}.get(law, order)
+    return {"yeoh": 3, "neo hooke": 1, "neo hooke coupled": 0, "mooney-rivlin": 1, "arruda-boyce": 1}.get(law, order)
 
 
 def _hyperfoam(draft: _Draft, keyword: Keyword, units: DeckUnits) -> None:
@@ -205,6 +208,11 @@ def _ogden(values: Sequence[float], stress: float) -> Ogden:
     return Ogden.from_abaqus(mu=_scaled(values[0::2], stress), alpha=values[1::2])
 
 
+def _coupled(values: Sequence[float], stress: float) -> CompressibleNeoHooke:
+    """From Young's modulus and Poisson's ratio."""
+    return CompressibleNeoHooke(mu=values[0] * stress / (2 * (1 + values[1])), nu=values[1])
+
+
 def _yeoh(values: Sequence[float], stress: float) -> Yeoh:
     first, second, third = _scaled(values, stress)
     return Yeoh(C10=first, C20=second, C30=third)
@@ -213,6 +221,7 @@ def _yeoh(values: Sequence[float], stress: float) -> Yeoh:
 #: Laws by their name in a deck: how many constants they have by the order N, and what makes them.
 _FORMS: dict[str, tuple[Callable[[int], int], Callable[[Sequence[float], float], Any]]] = {
     "neo hooke": (lambda order: 1, lambda v, unit: NeoHooke(C10=v[0] * unit)),
+    "neo hooke coupled": (lambda order: 2, _coupled),
     "mooney-rivlin": (lambda order: 2, lambda v, unit: MooneyRivlin(C10=v[0] * unit, C01=v[1] * unit)),
     "yeoh": (lambda order: 3, _yeoh),
     "reduced polynomial": (lambda order: order, lambda v, unit: YeohN(coefficients=tuple(_scaled(v, unit)))),

@@ -39,6 +39,8 @@ class MeshNames:
         Cells and labels of the sides of each.
     mirrors : dict of str to int array
         Nodes of mirror planes, whose names have a meaning.
+    loaded : set of str
+        Surfaces with a load: a job has one load for each name.
     """
 
     deck: Deck
@@ -47,6 +49,7 @@ class MeshNames:
     sets: dict[str, Ints] = field(default_factory=dict)
     surfaces: dict[str, tuple[tuple[int, str], ...]] = field(default_factory=dict)
     mirrors: dict[str, Ints] = field(default_factory=dict)
+    loaded: set[str] = field(default_factory=set)
 
     def free(self, wish: str, prefix: str = "face") -> str:
         """Return a name that is not taken, as near to a wish as a job file and its meanings of names allow."""
@@ -72,6 +75,16 @@ class MeshNames:
         """Name nodes once more, even where they have a name."""
         name = self.free(wish)
         self.sets[name] = np.unique(nodes)
+        return name
+
+    def loaded_surface(self, wish: str, sides: Iterable[tuple[int, str]]) -> str:
+        """Name sides of cells for a load, with a name of their own where the one that they have has a load."""
+        rows = tuple(sorted(set(sides)))
+        name = self.named_surface(wish, rows)
+        if name in self.loaded:
+            name = self.free(wish)
+            self.surfaces[name] = rows
+        self.loaded.add(name)
         return name
 
     def named_surface(self, wish: str, sides: Iterable[tuple[int, str]]) -> str:

@@ -17,6 +17,7 @@ from turgor.job.decks.tracks import (
     GRAVITY,
     PRESSURE,
     SHIFT,
+    TRACTION,
     Amplitude,
     Span,
     Tracks,
@@ -235,19 +236,24 @@ def _take_cell_loads(path: Path, keyword: Keyword) -> str:
 
 
 def _take_surface_loads(path: Path, keyword: Keyword) -> str:
-    _check_load(path, keyword, PRESSURE, {"op", "amplitude"})
+    _check_load(path, keyword, PRESSURE, {"op", "amplitude", "follower"})
     amplitude = amplitude_named(keyword, path.amplitudes)
+    meanings = set()
     for line in keyword.lines:
-        surface, label, value = words_of(line)[:3]
-        if label.upper() != "P":
-            raise TurgorError(f"the load {label.upper()} has no form here; P has one.")
+        surface, label, value, *direction = words_of(line)
+        dead = keyword.given.get("follower", "yes").lower() == "no"
+        if label.upper() not in ("P", "TRVEC") or (label.upper() == "TRVEC") != dead:
+            raise TurgorError(f"the load {label.upper()} has no form here; P has one, and TRVEC with FOLLOWER=NO.")
         sides = path.deck.surface(surface)
         if sides is None:
             raise unknown("surface", surface, path.deck.content.surfaces)
         if not sides:
             raise TurgorError(f"the surface '{surface}' has no sides of cells that are read.")
-        path.tracks.state((PRESSURE, path.deck.surface_name(surface), ""), float(value), amplitude, keyword)
-    return "pressure that follows the surface"
+        known = path.deck.surface_name(surface)
+        target = (TRACTION, known, tuple(map(float, direction[:3]))) if dead else (PRESSURE, known, "")
+        path.tracks.state(target, float(value), amplitude, keyword)
+        meanings.add("traction, fixed in direction" if dead else "pressure that follows the surface")
+    return " and ".join(sorted(meanings))
 
 
 def _check_load(path: Path, keyword: Keyword, kind: str, known: set[str]) -> None:
@@ -256,7 +262,7 @@ def _check_load(path: Path, keyword: Keyword, kind: str, known: set[str]) -> Non
     if others:
         raise TurgorError(f"{', '.join(sorted(others)).upper()} has no form here.")
     if keyword.given.get("op", "mod").lower() == "new":
-        for each in (kind, GRAVITY) if keyword.name == "dload" else (kind,):
+        for each in (kind, GRAVITY if keyword.name == "dload" else TRACTION) if kind == PRESSURE else (kind,):
             path.tracks.end_all(each)
 
 

@@ -27,6 +27,10 @@ LAW_SOURCES: Mapping[str, tuple[str, str]] = MappingProxyType(
         "Orthotropic": ("G. Y. Qiu, T. J. Pence, J. Elasticity 1997, 49, 1", ""),
         "Hyperfoam": ("B. Storåkers, J. Mech. Phys. Solids 1986, 34, 125", ""),
         "BlatzKo": ("P. J. Blatz, W. L. Ko, Trans. Soc. Rheol. 1962, 6, 223", ""),
+        "CompressibleNeoHooke": (
+            "J. Bonet, R. D. Wood, Nonlinear Continuum Mechanics for Finite Element Analysis, 2nd ed., Cambridge 2008",
+            "",
+        ),
         "ArrudaBoyce": ("E. M. Arruda, M. C. Boyce, J. Mech. Phys. Solids 1993, 41, 389", ""),
     }
 )

@@ -14,6 +14,7 @@ from turgor.core.materials.laws.common import Law as Law
 from turgor.core.materials.laws.common import StretchLaw as StretchLaw
 from turgor.core.materials.laws.energies.arruda_boyce import ArrudaBoyce as ArrudaBoyce
 from turgor.core.materials.laws.energies.blatz_ko import BlatzKo as BlatzKo
+from turgor.core.materials.laws.energies.compressible_neo_hooke import CompressibleNeoHooke as CompressibleNeoHooke
 from turgor.core.materials.laws.energies.extended_tube import ExtendedTube as ExtendedTube
 from turgor.core.materials.laws.energies.generalized_rivlin import GeneralizedRivlin as GeneralizedRivlin
 from turgor.core.materials.laws.energies.gent import Gent as Gent

@@ -29,13 +29,17 @@ _TYPE = re.compile(r"(D?C3D|AC3D|S|M3D|SFM3D|R3D|STRI|DS|CPS|CPE|CAX)(\d+)")
 
 @dataclass(slots=True)
 class Keyword:
-    """One keyword with its parameters, the lines of data below it, and where it stands."""
+    """One keyword with its parameters, the lines of data below it, and where it stands.
+
+    ``label`` is what a message names instead of it, where it stands for an element of another format.
+    """
 
     name: str
     given: dict[str, str]
     path: Path
     line: int
     lines: list[str] = field(default_factory=list)
+    label: str = ""
 
 
 @dataclass(slots=True)

@@ -1,0 +1,1 @@
+"""Files of FEBio (.feb) as the keywords of a deck."""
