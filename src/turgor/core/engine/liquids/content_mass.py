@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.cells.reference import liquid_tables
 from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.core.engine.faces import surfaces
+from turgor.core.engine.faces.face_mass import face_mass
 from turgor.core.engine.system import System
 
 Array = NDArray[np.float64]
@@ -27,11 +27,6 @@ def content_mass(system: System) -> Array | None:
         if load is None or volume <= 0:
             continue
         sides = mesh.carrying_sides(load.face)
-        tables = liquid_tables(sides.shape[1])
-        edges = np.einsum("qad,fai->fqdi", tables.dN, system.points[sides])
-        areas = tables.weights * np.linalg.norm(np.cross(edges[:, :, 0], edges[:, :, 1]), axis=2)
         mass = load.density * volume / (system.length * system.stress_scale)
-        spread = mass / surfaces.area(system.points, sides) * areas
-        local = np.einsum("fq,qa,qb,ij->faibj", spread, tables.N, tables.N, np.eye(3), optimize=True)
-        parts.append(system.scattered_sides(sides, local))
+        parts.append(face_mass(system, sides, mass / surfaces.area(system.points, sides)))
     return np.sum(parts, axis=0) if parts else None
