@@ -5,10 +5,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from refused import refused
 from solver_cases import RUBBER, bar
 
 import turgor as tg
+from refused import refused
 from turgor.core.engine.faces.dead_loads import ScaledNodalForces
 from turgor.core.engine.mass import even_mass, mass_data, total_mass
 from turgor.core.engine.system import System
