@@ -1,15 +1,15 @@
 """Weight and inertia of films and of sheets that lie on a body.
 
 Catenary: a strip of film without stretch hangs between ends that are 10 % closer than it is long, as a chain does: its
-sag is a (cosh(l / 2a) − 1) with 2 a sinh(l / 2a) = L. Exact; tolerance 0.2 %, of 16 sides and of the toe and the share in
-compression of the film, which make it 0.05 % longer. Its weight is exact.
+sag is a (cosh(l / 2a) − 1) with 2 a sinh(l / 2a) = L. Exact; tolerance 0.2 %, of 16 sides and of the toe and the share
+in compression of the film, which make it 0.05 % longer. Its weight is exact.
 
 Drumhead: a square membrane with the stress S in all directions has the frequencies √(S/ρ) √(m² + n²) / (2 a), exact
-(Rayleigh, Theory of Sound, § 197). With Green's strain e + e²/2 that is S = E (e + e²/2) / (1 − ν). Quadratic sides: the
-error of a frequency falls with the fourth power of their size.
+(Rayleigh, Theory of Sound, § 197). With Green's strain e + e²/2 that is S = E (e + e²/2) / (1 − ν). Quadratic sides:
+the error of a frequency falls with the fourth power of their size.
 
-Motion: started with a small velocity in its first mode, the drumhead is back where it was after a period. Even steps: the
-error falls with the square of their length.
+Motion: started with a small velocity in its first mode, the drumhead is back where it was after a period. Even steps:
+the error falls with the square of their length.
 
 Free fall: g t²/2 of every node at any step, as the steps take an even acceleration exactly.
 """

@@ -1,4 +1,4 @@
-"""Weight and inertia of sheets: what they add to a body, where a density is needed, and what says that one is missing."""
+"""Weight and inertia of sheets: what they add to a body, where a density is needed, what says that it is missing."""
 
 from dataclasses import replace
 from pathlib import Path
