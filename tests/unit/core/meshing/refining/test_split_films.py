@@ -38,9 +38,8 @@ def test_pieces_cover_their_sides_and_share_their_nodes(make):
     assert corners.tolist() == list(range(len(corners)))  # corners come first
     for name, sides in mesh.faces.items():
         assert has_area(fine.faces[name]) == has_area(sides)
-        assert area(fine.points, fine.faces[name]) == pytest.approx(
-            area(mesh.points, sides), rel=1e-5, abs=1e-15
-        )  # curved ones by quadrature
+        if has_area(sides):
+            assert area(fine.points, fine.faces[name]) == pytest.approx(area(mesh.points, sides), rel=1e-5)
 
 
 def test_edges_are_cut_in_two_and_lie_on_the_rim(pouch):
