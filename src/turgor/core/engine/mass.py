@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.cells import kernels_geometry
 from turgor.core.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell
 from turgor.core.engine.faces import surfaces
-from turgor.core.engine.faces.face_mass import face_mass
-from turgor.core.engine.liquids.content_mass import content_mass
+from turgor.core.engine.liquids.content_mass import content_mass, face_mass
 from turgor.core.engine.points.point_mass import add_point_masses
 from turgor.core.engine.system import System
 from turgor.core.meshing.mesh import Mesh
