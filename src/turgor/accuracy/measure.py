@@ -61,7 +61,7 @@ def measure(
         raise TurgorError(f"mesh_error is {mesh_error!r}; allowed are True, False and '{LINEAR}'.")
     chosen = tuple(map(as_measure, measures))
     response = read(solution, *chosen)
-    if not mesh_error or not len(solution.model.mesh.cells):  # no second mesh follows films without a solid
+    if not mesh_error:
         return response
     return with_mesh_error(response, mesh_error_of(solution, chosen, options, linear=mesh_error == LINEAR))
 

@@ -223,8 +223,7 @@ def _with_errors(
     job: Job, response: Response, solution: Solution, options: EngineOptions, refined: bool
 ) -> tuple[Response, tuple[Finding, ...]]:
     """Add the mesh errors to a response if the job requests them, and a finding where these are unknown."""
-    films = not len(solution.model.mesh.cells)  # no second mesh follows them
-    if not job.output.mesh_error or films or len(solution.states) < 2:
+    if not job.output.mesh_error or len(solution.states) < 2:
         return response, ()
     from turgor.accuracy.measure import (  # here: not needed before a solve
         LINEAR,

@@ -67,6 +67,26 @@ def test_airbag(cells, tolerance, record_verification):
     assert got == pytest.approx(217 * mm, rel=tolerance)
 
 
+def test_mesh_error_of_an_airbag(record_verification):
+    coarse, fine = (_solved(_square(600 * mm / np.sqrt(2), sides)) for sides in (4, 8))
+    response = tg.measure(coarse, tg.cavity_volume)
+    error = float(response.column("cavity_volume_mesh_error")[-1])
+    difference = abs(tg.cavity_volume(fine.states[-1]) - tg.cavity_volume(coarse.states[-1]))
+    record_verification(
+        claim="square airbag, 4 sides along a half: estimated mesh error of its volume [mL], difference to 8 sides",
+        source="refined mesh",
+        expected=difference * 1e6,
+        got=error * 1e6,
+        tolerance="a factor of 1 to 3",
+    )
+    assert difference < error < 3 * difference
+
+
+def _solved(mesh):
+    film = {"cavity": _film(588 * MPa, 0.4, 0.6 * mm)}
+    return problems.solve(tg.Model(mesh, film, [], [tg.Pressure("cavity", 5 * kPa)]))
+
+
 def _disc(radius, size):
     a, b, c, zero = 0.5 * radius, 0.38 * radius, radius * np.sqrt(0.5), (0.0, 0.0, 0.0)
     right, upper = ("", "", "symmetry_z", "symmetry_y"), ("symmetry_x", "symmetry_z", "", "")

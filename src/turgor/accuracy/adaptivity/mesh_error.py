@@ -21,9 +21,10 @@ from turgor.accuracy.adaptivity.refine import ALL_CUT, refined
 from turgor.accuracy.adaptivity.second_mesh import SecondMesh
 from turgor.accuracy.adaptivity.settings import MESH_ERROR
 from turgor.core.engine.runtime import EngineOptions, use_threads
-from turgor.core.engine.transfer import Transfer
+from turgor.core.engine.transfer import transfer_to
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.refining.refinement import Refinement
+from turgor.core.meshing.refining.split_films import FilmRefinement, refine_films
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.results.measures.measure import Measure
 from turgor.core.solvers.solution import Solution, State
@@ -114,6 +115,11 @@ def find_again(
     chosen = _chosen(solution, 1 if linear else count)
     if not chosen:
         return None
+    if not len(solution.model.mesh.cells):
+        every = _chosen(solution, len(MESH_ERROR.places))
+        finer = refine_films(solution.model.mesh)
+        paired = _on_second_mesh(solution, every, finer, options, linear, enough=1)
+        return replace(paired, seconds=perf_counter() - began)
     shares = np.mean([error_indicator(solution.states[number]) for number in chosen[:2]], axis=0)
     paired = _on_second_mesh(solution, chosen, refined(solution.model.mesh, shares, growth), options, linear)
     if not paired.pairs:
@@ -126,13 +132,13 @@ def find_again(
 def _on_second_mesh(
     solution: Solution,
     chosen: list[int],
-    refinement: Refinement,
+    refinement: Refinement | FilmRefinement,
     options: EngineOptions,
     linear: bool,
     enough: int = len(MESH_ERROR.places),
 ) -> PairedStates:
     """Solve for chosen states, until enough converge, on a refined mesh."""
-    transfer = Transfer(solution.model.mesh, refinement)
+    transfer = transfer_to(solution.model.mesh, refinement)
     mesh = SecondMesh(refinement, transfer, options)
     pairs: dict[int, State] = {}
     moved: dict[int, float] = {}
@@ -145,13 +151,17 @@ def _on_second_mesh(
             if state_there is not None:
                 before = transfer.nodal(state.displacement)
                 pairs[number] = state_there
-                moved[number] = float(np.linalg.norm(state_there.displacement - before) / np.linalg.norm(before))
+                share = 1.0 if len(state.model.mesh.cells) else MESH_ERROR.folds
+                apart = float(np.linalg.norm(state_there.displacement - before))
+                moved[number] = share * apart / float(np.linalg.norm(before))
     remaining = _remaining(solution.states[next(iter(pairs))], next(iter(pairs.values()))) if pairs else 0.0
     return PairedStates(pairs, moved, refinement.mesh.unknown_count, remaining, 0.0)
 
 
 def _remaining(state: State, state_there: State) -> float:
     """Squared error in energy of a state on the second mesh over that on the first one."""
+    if not len(state.model.mesh.cells):
+        return MESH_ERROR.remaining_of_films
     whole = float(squared_errors(state).sum())
     return float(squared_errors(state_there).sum()) / whole if whole > 0 else 0.0
 

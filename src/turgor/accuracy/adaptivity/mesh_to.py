@@ -152,6 +152,8 @@ def refine_to(
     check_target(target)
     if why_not(solution):
         raise TurgorError(f"the mesh cannot be refined to a target: {why_not(solution)}.")
+    if not len(solution.model.mesh.cells):
+        raise TurgorError("the mesh cannot be refined to a target: films have sides of one size; make that smaller.")
     rounds, say = [_round(solution, measure, options, False)], notify or (lambda _: None)
     where = _where(solution.model.mesh, error_indicator(solution.states[-1]))
     while rounds[-1].relative > target and len(rounds) <= REFINEMENT.rounds:

@@ -15,8 +15,9 @@ from turgor.core.engine.chamber_volumes import Chambers
 from turgor.core.engine.points.read_motion import motions
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import Evaluation, System
-from turgor.core.engine.transfer import Transfer
+from turgor.core.engine.transfer import FilmTransfer, Transfer
 from turgor.core.meshing.refining.refinement import Refinement
+from turgor.core.meshing.refining.split_films import FilmRefinement
 from turgor.core.model.model import Model
 from turgor.core.solvers.constraints.cavities import CavityPressures, VolumeTarget
 from turgor.core.solvers.constraints.constraint import Constraint, Target
@@ -27,6 +28,7 @@ from turgor.core.solvers.newton.contact_newton import newton_with_contact
 from turgor.core.solvers.newton.iteration import iterate
 from turgor.core.solvers.newton.newton import newton
 from turgor.core.solvers.newton.newton_values import NewtonSettings, Start
+from turgor.core.solvers.newton.pseudo_transient import pseudo_transient
 from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.solution import State
 from turgor.core.solvers.states import acting_pressures, touches
@@ -54,14 +56,14 @@ class SecondMesh:
 
     Parameters
     ----------
-    refinement : Refinement
-    transfer : Transfer
+    refinement : Refinement or FilmRefinement
+    transfer : Transfer or FilmTransfer
         From the mesh of the path to it.
     options : EngineOptions
     """
 
-    refinement: Refinement
-    transfer: Transfer
+    refinement: Refinement | FilmRefinement
+    transfer: Transfer | FilmTransfer
     options: EngineOptions
     _known: list[tuple[Model, tuple[str, ...], System, Tangent]] = field(default_factory=list)
 
@@ -132,6 +134,8 @@ def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -
     at = system.evaluate(unknowns, state.load_factor, history=history)
     if at is None:
         return None
+    if not len(system.cells):
+        return _with_folds(equations, at, state)
     if _touching(state):
         return _carefully(system, tangent, at, state, exact)
     case = SimpleUpdates(
@@ -155,6 +159,16 @@ def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State, e
     moved = (result.evaluation.unknowns - at.unknowns)[system.moving]
     if np.linalg.norm(moved) > SIMPLE.far * np.linalg.norm(at.unknowns[system.moving]):
         return None  # another equilibrium
+    return _state(system, result.evaluation, state, result.unstable_modes)
+
+
+def _with_folds(equations: Equations, at: Evaluation, state: State) -> State | None:
+    """Equilibrium of films at the load factor of the state: they have more folds on a finer mesh, and move there."""
+    system, tangent, history = equations
+    constraint = load_control(system, history=history)
+    result = pseudo_transient(constraint, tangent, at.unknowns, state.load_factor, EXACT_SETTINGS, _silent)
+    if result.evaluation is None:
+        return None
     return _state(system, result.evaluation, state, result.unstable_modes)
 
 

@@ -28,6 +28,12 @@ class MeshErrorSettings:
         Share of the squared error in energy that remains on the second mesh at most: the difference between the meshes
         is scaled up to four times by it. On 14 random shapes (seed 7 of `benchmarks/accuracy/estimates.py`) the share
         is 0.16 to 0.79.
+    remaining_of_films : float
+        The same of films without a solid, whose second mesh has sides of half the size: errors that fall with the
+        square of it, as wrinkled films have them.
+    folds : float
+        Share of the difference between the displacements that counts as an error at least, of films: it is the
+        difference between their folds, ten times that of rise and volume of an airbag.
     negligible : float
         A measure that differs between two meshes by less than this share of its change was prescribed, and one that is
         smaller than this share of its largest value has no relative error.
@@ -43,6 +49,8 @@ class MeshErrorSettings:
     least_growth: float = 2.0
     least_growth_hexahedra: float = 2.5
     most_remaining: float = 0.75
+    remaining_of_films: float = 0.25
+    folds: float = 0.1
     negligible: float = 1e-5
     doubted: float = 2.5
 

@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.cells import kernels, kernels_geometry, kernels_tangent
 from turgor.core.engine.faces.membranes import surface_frames
 from turgor.core.engine.system import System
+from turgor.foundation.errors import TurgorError
 from turgor.foundation.symmetric import COLUMNS, ROWS
 
 Array = NDArray[np.float64]
@@ -16,7 +17,7 @@ class StrainRateDamping:
 
     About the state at rest this is the damping matrix τ K of Rayleigh, with K the stiffness against change of shape. At
     large rotations it remains what it should be: no force resists a rigid motion, and the power S : Ė is never
-    negative. Membranes and fibers are not damped.
+    negative. Membranes and fibers are not damped; films without a solid are refused.
 
     Parameters
     ----------
@@ -30,6 +31,11 @@ class StrainRateDamping:
     def __init__(self, system: System, time: float, rate: float, offset: Array) -> None:
         self._system, self._rate, self._offset = system, rate, offset
         model = system.model
+        if not len(system.cells):
+            raise TurgorError(
+                f"stiffness_damping is {time:g} s; it acts on solids, and '{model.mesh.name}' consists of films. "
+                "Leave it out, or take mass_damping."
+            )
         viscosity = np.empty(len(model.mesh.cells))
         for name, material in model.region_materials.items():
             viscosity[model.mesh.regions[name]] = 2 * time * material.law.shear_modulus / system.stress_scale

@@ -1,6 +1,6 @@
-"""Mass: the consistent mass matrix of the rubber, the masses of reference points and of the liquid in cavities.
+"""Mass: the consistent mass matrix of rubber and sheets, the masses of reference points and of the liquid in cavities.
 
-Membranes and fibers are weightless, as they are for gravity.
+Fibers are weightless, and so are sheets on a body whose material has no density, as they are for gravity.
 """
 
 from functools import lru_cache
@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.cells import kernels_geometry
 from turgor.core.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell
-from turgor.core.engine.liquids.content_mass import content_mass
+from turgor.core.engine.faces import surfaces
+from turgor.core.engine.liquids.content_mass import content_mass, face_mass
 from turgor.core.engine.points.point_mass import add_point_masses
 from turgor.core.engine.system import System
 from turgor.core.meshing.mesh import Mesh
@@ -21,34 +22,36 @@ Array = NDArray[np.float64]
 
 
 def densities(model: Model) -> Array:
-    """Return the density of every cell [kg/m³], (c,).
+    """Return the density of every cell [kg/m³], (c,); that of films without a solid is part of `sheet_masses`.
 
     Raises
     ------
     TurgorError
-        If a material has none.
+        If a material has none; sheets that lie on a body may lack it.
     """
-    if not len(model.mesh.cells):
-        raise TurgorError(f"'{model.mesh.name}' consists of films, which have no mass here; solve it statically.")
-    out = np.empty(len(model.mesh.cells))
-    for name, material in model.region_materials.items():
+    out, alone = np.empty(len(model.mesh.cells)), not len(model.mesh.cells)
+    films = {name: sheet.material for name, sheet in model.membranes.items()} if alone else {}
+    for name, material in (model.region_materials | films).items():
         if material.density is None:
             raise TurgorError(
                 f"materials.{name}: '{material.name}' has no density, and motion needs it; give one in kg/m³."
             )
-        out[model.mesh.regions[name]] = material.density
+        if not alone:
+            out[model.mesh.regions[name]] = material.density
     return out
 
 
 def total_mass(model: Model) -> float:
-    """Return the mass of the rubber of the whole actuator, mirror images together [kg].
+    """Return the mass of rubber and sheets of the whole actuator, mirror images together [kg].
 
     Raises
     ------
     TurgorError
-        If a material has no density.
+        If a material has no density; sheets that lie on a body may lack it.
     """
-    return float(densities(model) @ cell_volumes(model.mesh)) * model.mesh.symmetry_factor
+    mesh = model.mesh
+    sheets = (mass * surfaces.area(mesh.points, mesh.face(name)) for name, mass in model.sheet_masses.items())
+    return float(densities(model) @ cell_volumes(mesh) + sum(sheets)) * mesh.symmetry_factor
 
 
 @lru_cache(maxsize=4)  # several checks ask
@@ -62,7 +65,7 @@ def cell_volumes(mesh: Mesh) -> Array:
     return volumes
 
 
-def mass_data(system: System, density: Array | None = None) -> Array:
+def mass_data(system: System) -> Array:
     """Lower triangle (nnz,) of the consistent mass matrix on the pattern of a system's tangent, points included.
 
     Scaled so that its product with a scaled acceleration, in units of length per s², is a scaled force. It is
@@ -72,25 +75,43 @@ def mass_data(system: System, density: Array | None = None) -> Array:
     Parameters
     ----------
     system : System
-    density : (c,) array [kg/m³], optional
-        Of every cell, with weightless reference points; that of the materials and points by default.
     """
-    mesh, rubber_only = system.model.mesh, density is not None
-    density = densities(system.model) if density is None else density
+    model, mesh = system.model, system.model.mesh
+    data = _cell_mass(system, densities(model) * (system.length**2 / system.stress_scale))
+    for name, mass in model.sheet_masses.items():
+        data += face_mass(system, mesh.carrying_sides(name), mass * system.length / system.stress_scale)
+    scale = 1 / (system.length * system.stress_scale)
+    add_point_masses(data, system.layout.base, model, system.carriers, scale)
+    content = content_mass(system)
+    return data if content is None else data + content
+
+
+def even_mass(system: System) -> Array:
+    """Lower triangle (nnz,) of a mass of 1 for a volume of 1, both scaled; reference points and sheets have none.
+
+    Films without a solid count as layers of an edge.
+
+    Parameters
+    ----------
+    system : System
+    """
+    if not len(system.cells):
+        return face_mass(system, system.model.mesh.film_sides, 1.0)
+    return _cell_mass(system, np.ones(len(system.cells)))
+
+
+def _cell_mass(system: System, density: Array) -> Array:
+    """Mass of the cells of a scaled density (c,); zeros where there are none."""
+    mesh = system.model.mesh
+    if not len(mesh.cells):
+        return np.zeros(len(system.layout.base.indices))
     nodes = mesh.carrying_cells.shape[1]
     N = reference_cell(nodes, CELL_QUADRATURE_DEGREE).N
-    weights = density[:, None] * _volumes(mesh, system.points) * (system.length**2 / system.stress_scale)
+    weights = density[:, None] * _volumes(mesh, system.points)
     rows, columns = np.tril_indices(system.cell_size)
     same = (rows % 3 == columns % 3) & (rows < 3 * nodes)
     a, b = rows[same] // 3, columns[same] // 3
-    values = weights @ (N[:, a] * N[:, b])
-    data = system.scattered(np.flatnonzero(same), values)
-    if not rubber_only:
-        scale = 1 / (system.length * system.stress_scale)
-        add_point_masses(data, system.layout.base, system.model, system.carriers, scale)
-        content = content_mass(system)
-        data += 0.0 if content is None else content
-    return data
+    return system.scattered(np.flatnonzero(same), weights @ (N[:, a] * N[:, b]))
 
 
 def _volumes(mesh: Mesh, points: Array) -> Array:

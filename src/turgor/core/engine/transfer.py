@@ -8,10 +8,40 @@ from turgor.core.engine.cells.internal_variables import Memory
 from turgor.core.engine.cells.reference import reference_nodes, smooth_basis, tables_at
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.refining.refinement import Refinement
+from turgor.core.meshing.refining.split_films import FilmRefinement
 from turgor.core.model.model import Model
 from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
+
+
+def transfer_to(mesh: Mesh, refinement: Refinement | FilmRefinement) -> "Transfer | FilmTransfer":
+    """Return what carries fields from a mesh to its refinement."""
+    return FilmTransfer(refinement) if isinstance(refinement, FilmRefinement) else Transfer(mesh, refinement)
+
+
+class FilmTransfer:
+    """Carry fields between films without a solid, which have displacements only.
+
+    Parameters
+    ----------
+    refinement : FilmRefinement
+    """
+
+    def __init__(self, refinement: FilmRefinement) -> None:
+        self._fine = refinement
+
+    def nodal(self, values: Array) -> Array:
+        """Values at the nodes of the finer mesh, as `Transfer.nodal`."""
+        return np.asarray(np.einsum("na,nak->nk", self._fine.shares, values[self._fine.nodes]))
+
+    def mean_stress(self, _model: Model, fine: Model, _values: Array) -> Array:
+        """Mean stresses of the finer model: none."""
+        return np.zeros(element_of(fine).mean_count)
+
+    def memory(self, memory: Memory | None) -> Memory | None:
+        """Internal variables of films: none."""
+        return memory
 
 
 class Transfer:

@@ -215,6 +215,12 @@ class Model(Saved, Shown):
         return {name: m for name, m in self.materials.items() if isinstance(m, Sheet)}
 
     @property
+    def sheet_masses(self) -> dict[str, float]:
+        """Mass per area at rest of each sheet whose material has a density, by its face [kg/m²]."""
+        dense = {name: sheet.material.density for name, sheet in self.membranes.items()}
+        return {name: self.membranes[name].thickness * each for name, each in dense.items() if each is not None}
+
+    @property
     def sheets_wrinkle(self) -> bool:
         """Whether a sheet bears less compression than tension."""
         return any(sheet.wrinkles for sheet in self.membranes.values())

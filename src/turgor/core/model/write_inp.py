@@ -232,7 +232,8 @@ def _membrane_lines(model: Model) -> list[str]:
         for side in model.mesh.face(name)[:, :width].tolist():
             number += 1
             lines.append(", ".join(str(value) for value in (number, *(node + 1 for node in side))))
-    return lines
+    heavy = [f"membrane_{_plain(name)}," for name in model.sheet_masses]
+    return [*lines, *(["*ELSET, ELSET=Eall", *heavy] if heavy else [])]  # what weight acts on
 
 
 def _material_lines(model: Model, program: str) -> list[str]:

@@ -135,7 +135,9 @@ def _pressure(face: str, table: CavityTable, duration: float | None) -> Pressure
 
 def _check_densities(loads: Iterable[Load], materials: Mapping[str, object], problems: Problems) -> None:
     heavy = next((load.kind for load in loads if load.needs_density), None)
-    for name, material in materials.items():
+    alone = not any(isinstance(each, Material) for each in materials.values())  # films; sheets on bodies may lack it
+    for name, each in materials.items():
+        material = each.material if alone and isinstance(each, Sheet) else each
         if heavy is not None and isinstance(material, Material) and material.density is None:
             problems.whole.add(
                 ("materials", name), f"has no density, and {heavy} needs it; add density, such as '1100 kg/m³'."

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.faces.surfaces import area
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.meshing.exchange.formats.write_stl import write_stl
 from turgor.core.model.model import Model
@@ -141,6 +142,8 @@ def _sets(model: Model, body: LinearBody, materials: dict[str, SofaLaw]) -> dict
         if type(law) is not Hooke:
             raise TurgorError(f"the woven sheet on '{name}' has no form in SOFA scenes; leave it out.")
         numbers = {"young": law.E / kPa, "poisson": law.nu, "thickness": sheet.thickness / mm}
+        whole = area(model.mesh.points, model.mesh.face(name)) * model.mesh.symmetry_factor
+        numbers["mass"] = model.sheet_masses.get(name, 0.0) * whole
         sheets[name] = {"triangles": body.faces[name].tolist(), **numbers}
     weight: NDArray[np.float64] = np.zeros(3)
     falls: list[Any] = [load for load in model.loads if load.kind == "gravity"]

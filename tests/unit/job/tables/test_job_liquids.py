@@ -11,6 +11,7 @@ from turgor.core.model.model import Model
 from turgor.core.solvers.checks.early_findings import early_findings
 from turgor.core.solvers.procedures.dynamic import Dynamic
 from turgor.core.solvers.procedures.procedure import Procedure
+from turgor.core.solvers.procedures.stabilized import Stabilized
 from turgor.core.solvers.procedures.static import Static
 from turgor.foundation.finding import Severity
 from turgor.job.output.lock import lock_text
@@ -105,7 +106,7 @@ def test_water_that_acts_in_motion_only_needs_a_motion() -> None:
         return [each.severity for each in early_findings(model, procedure) if each.code == "L13"]
 
     moving = Morison(face="outside", density=1000, axis=(1, 0, 0))
-    assert severities(Static(), moving) == [Severity.WARNING]
+    assert severities(Static(), moving) == severities(Stabilized(), moving) == [Severity.WARNING]
     assert severities(Static(), moving, Pressure("cavity", 1e3)) == [Severity.NOTE]
     assert severities(Static(), Pressure("cavity", 1e3)) == []
     assert severities(Dynamic(duration=1.0), moving) == []

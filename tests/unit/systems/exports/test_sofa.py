@@ -8,6 +8,7 @@ import pytest
 
 import turgor as tg
 from refused import refused
+from turgor.core.engine.faces.surfaces import area
 from turgor.core.meshing.exchange.formats.stl import read_stl
 from turgor.systems.exports.linear_body import linear_body
 from turgor.systems.exports.sofa_law import sofa_law
@@ -39,7 +40,7 @@ class Node:
 
 @pytest.fixture(scope="module")
 def model():
-    paper = tg.Shell(tg.from_library("paper", record="hooke-yang-2020"), thickness=0.1 * mm)
+    paper = tg.Shell(replace(tg.from_library("paper", record="hooke-yang-2020"), density=800.0), thickness=0.1 * mm)
     return tg.Model(
         tg.mesh(FAMILY.build(), size=6 * mm),
         materials={"body": YEOH, "base": YEOH, "strain_limiting_layer": paper},
@@ -85,7 +86,9 @@ def test_the_mesh_is_the_whole_body_and_has_the_corners_of_the_cavity(model, wri
     volumes = np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a) / 6
     assert volumes.min() > 0
     mass = tg.measures.total_mass(model)
-    assert volumes.sum() * 1e-9 * 1070.0 == pytest.approx(mass, rel=1e-6)
+    (paper,) = model.sheet_masses.values()
+    sheet = 2 * paper * area(model.mesh.points, model.mesh.face("strain_limiting_layer"))
+    assert volumes.sum() * 1e-9 * 1070.0 + sheet == pytest.approx(mass, rel=1e-6)
     assert scene.children["actuator"].data("UniformMass")["totalMass"] == pytest.approx(mass, rel=1e-6)
     corners = read_stl(written.folder / "cavity.stl").points
     distance = np.linalg.norm(corners[:, None] - points[None], axis=2).min(axis=1)

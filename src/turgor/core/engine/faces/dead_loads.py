@@ -88,14 +88,23 @@ class ScaledNodalForces:
         return self._in_cells(np.asarray(value(where.reshape(-1, 3))).reshape(where.shape))
 
     def per_mass(self, value: Callable[[Array], Array]) -> Array:
-        """Forces of ``value(points) -> (n, 3) acceleration [m/s²]`` of all regions."""
-        density = np.repeat(_density(self.setting.model), self.setting.dV.shape[1])[:, None]
-        return self.per_volume(lambda points: density * np.asarray(value(points)))
+        """Forces of ``value(points) -> (n, 3) acceleration [m/s²]`` of all regions and sheets."""
+        model = self.setting.model
+        density = np.repeat(_density(model), self.setting.dV.shape[1])[:, None]
+        forces = self.per_volume(lambda points: density * np.asarray(value(points)))
+        for name, mass in model.sheet_masses.items():
+            sides = self._sides(name)
+            where = np.einsum("qa,fai->fqi", side_tables(sides.shape[1]).N, model.mesh.points[sides])
+            there = np.asarray(value(where.reshape(-1, 3))).reshape(where.shape)
+            forces += self._spread(sides, mass / self.setting.stress * there)
+        return forces
 
     def of_weight(self, acceleration: ArrayLike) -> Array:
-        """Forces of one acceleration (3,) [m/s²] of all regions and reference points."""
+        """Forces of one acceleration (3,) [m/s²] of all regions, sheets and reference points."""
         per_cell = _density(self.setting.model)[:, None, None] * np.asarray(acceleration)
         forces = self._in_cells(np.broadcast_to(per_cell, (*self.setting.dV.shape, 3)))
+        for name, mass in self.setting.model.sheet_masses.items():
+            forces += self.on_face(name, mass * np.asarray(acceleration))
         for each in self.carriers.values():
             forces[each.node + np.arange(4)] += weights_of(each)[:, None] * self._of_part(acceleration)
         return forces
@@ -130,11 +139,11 @@ class ScaledNodalForces:
         return _sum_at_nodes(element.cells, local, len(setting.points))
 
     def _spread(self, sides: NDArray[np.int64], vector: Array) -> Array:
-        """Forces of a scaled traction (3,)."""
+        """Forces of a scaled traction (3,), or of those (f, q, 3) at the quadrature points."""
         points, reference = self.setting.points, side_tables(sides.shape[1])
         tangents = np.einsum("qad,fai->fqid", reference.dN, points[sides])
         area = np.linalg.norm(np.cross(tangents[..., 0], tangents[..., 1]), axis=2) * reference.weights
-        local = np.einsum("fq,qa->fa", area, reference.N)[:, :, None] * vector
+        local = np.einsum("fq,qa,fqi->fai", area, reference.N, np.broadcast_to(vector, (*area.shape, 3)))
         return _sum_at_nodes(sides, local, len(points))
 
 
@@ -147,4 +156,5 @@ def _density(model: Model) -> Array:
 
 def _sum_at_nodes(nodes: NDArray[np.int64], local: Array, count: int) -> Array:
     flat = nodes.ravel()
-    return np.stack([np.bincount(flat, local[..., i].ravel(), minlength=count) for i in range(3)], axis=1)
+    parts = [np.bincount(flat, local[..., i].ravel(), minlength=count) for i in range(3)]
+    return np.stack(parts, axis=1).astype(np.float64)  # without sides the sums are integers

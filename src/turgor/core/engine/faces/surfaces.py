@@ -57,9 +57,14 @@ def vector_area(points: Array, triangles: Triangles) -> Array:
 
 def area(points: Array, triangles: Triangles) -> float:
     """Area of a surface [m²]."""
+    return float(side_areas(points, triangles).sum())
+
+
+def side_areas(points: Array, triangles: Triangles) -> Array:
+    """Area of each side of a surface, (f,) [m²]."""
     weights = side_tables(triangles.shape[1]).weights
     _, r, s = _tangents(points, triangles)
-    return float(np.einsum("q,fq->", weights, np.linalg.norm(np.cross(r, s), axis=2)))
+    return np.asarray(np.linalg.norm(np.cross(r, s), axis=2) @ weights)
 
 
 def nodal_weights(points: Array, triangles: Triangles) -> Array:

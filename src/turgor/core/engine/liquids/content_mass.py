@@ -1,4 +1,4 @@
-"""Mass of the liquid in cavities, which moves with the walls."""
+"""Mass on faces: of sheets, and of the liquid in cavities, which moves with the walls."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,11 +27,24 @@ def content_mass(system: System) -> Array | None:
         if load is None or volume <= 0:
             continue
         sides = mesh.carrying_sides(load.face)
-        tables = liquid_tables(sides.shape[1])
-        edges = np.einsum("qad,fai->fqdi", tables.dN, system.points[sides])
-        areas = tables.weights * np.linalg.norm(np.cross(edges[:, :, 0], edges[:, :, 1]), axis=2)
         mass = load.density * volume / (system.length * system.stress_scale)
-        spread = mass / surfaces.area(system.points, sides) * areas
-        local = np.einsum("fq,qa,qb,ij->faibj", spread, tables.N, tables.N, np.eye(3), optimize=True)
-        parts.append(system.scattered_sides(sides, local))
+        parts.append(face_mass(system, sides, mass / surfaces.area(system.points, sides)))
     return np.sum(parts, axis=0) if parts else None
+
+
+def face_mass(system: System, sides: NDArray[np.int64], per_area: float) -> Array:
+    """Lower triangle (nnz,) of the consistent mass of an even layer, on the pattern of a system's tangent.
+
+    Parameters
+    ----------
+    system : System
+    sides : (f, n) int array
+        Sides of cells or films, by the nodes that carry their displacement.
+    per_area : float
+        Scaled mass per scaled area at rest.
+    """
+    tables = liquid_tables(sides.shape[1])  # exact for products of two shape functions on flat sides
+    edges = np.einsum("qad,fai->fqdi", tables.dN, system.points[sides])
+    areas = tables.weights * np.linalg.norm(np.cross(edges[:, :, 0], edges[:, :, 1]), axis=2)
+    local = np.einsum("fq,qa,qb,ij->faibj", per_area * areas, tables.N, tables.N, np.eye(3), optimize=True)
+    return system.scattered_sides(sides, local)

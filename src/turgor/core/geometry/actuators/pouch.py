@@ -24,7 +24,8 @@ class Pouch:
     pressure, as if by gaps in their seams, which are not modeled. The sizes were chosen here.
 
     Axes: x from the fixed seam to the seam that moves (``tip``), y along both, z across the films. The quarter with
-    y >= 0 and z >= 0 is modeled: the seams lie in the mirror plane between the films.
+    y >= 0 and z >= 0 is modeled: the seams lie in the mirror plane between the films, and a sheet on them is that of
+    the upper film, half of the whole seam.
 
     Parameters
     ----------

@@ -70,13 +70,13 @@ def refine_hexahedra(mesh: Mesh, chosen: Ints) -> Refinement:
     corners, parent = [], []
     for flags in product((False, True), repeat=3):
         cells = np.flatnonzero((cut == flags).all(axis=1))
-        boxes = _boxes(flags)
+        boxes = parts_of(flags)
         corners.append(np.tile(boxes, (len(cells), 1, 1)))
         parent.append(np.repeat(cells, len(boxes)))
     order = np.argsort(np.concatenate(parent), kind="stable")
     parents, places = np.concatenate(parent)[order], np.concatenate(corners)[order]
-    at_nodes = np.einsum("nk,cki->cni", _weights(_nodes(3)), places)
-    keys = _keys(mesh.cells[parents, :8], _weights(at_nodes.reshape(-1, 3)).reshape(*at_nodes.shape[:2], 8))
+    at_nodes = np.einsum("nk,cki->cni", weights_at(reference_grid(3)), places)
+    keys = node_keys(mesh.cells[parents, :8], weights_at(at_nodes.reshape(-1, 3)).reshape(*at_nodes.shape[:2], 8))
     numbers, first, count = _numbered(keys)
     points = _positions(mesh.points[mesh.cells[parents]], at_nodes).reshape(-1, 3)[first]
     known = dict(zip(keys.ravel().tolist(), numbers.ravel().tolist(), strict=True))
@@ -92,7 +92,7 @@ def refine_hexahedra(mesh: Mesh, chosen: Ints) -> Refinement:
     return Refinement(fine, parents, places)
 
 
-def _boxes(flags: tuple[bool, ...]) -> Array:
+def parts_of(flags: tuple[bool, ...]) -> Array:
     """Corners (b, 2**d, d) of the parts of a square or cube that is cut in two in the flagged directions."""
     unit = _CUBE if len(flags) == 3 else _SQUARE
     low = np.array(list(product(*(((0.0, 0.5) if cut else (0.0,)) for cut in flags))))
@@ -100,7 +100,7 @@ def _boxes(flags: tuple[bool, ...]) -> Array:
 
 
 @cache
-def _nodes(dimension: int) -> Array:
+def reference_grid(dimension: int) -> Array:
     """Reference coordinates of the nodes of a 27-node hexahedron or a nine-node quadrilateral."""
     kind, corners = (HEXAHEDRON, _CUBE) if dimension == 3 else (QUADRILATERAL, _SQUARE)
     mids = [(corners[a] + corners[b]) / 2 for a, b in kind.edges]
@@ -108,13 +108,13 @@ def _nodes(dimension: int) -> Array:
     return np.vstack([corners, mids, *sides, corners.mean(axis=0)])
 
 
-def _weights(points: Array) -> Array:
+def weights_at(points: Array) -> Array:
     """Linear shape functions of the corners (n, 4 or 8) at reference coordinates (n, 2 or 3)."""
     unit = _CUBE if points.shape[-1] == 3 else _SQUARE
     return np.asarray(np.where(unit == 1, points[:, None], 1 - points[:, None]).prod(axis=2))
 
 
-def _keys(corners: Ints, weights: Array) -> NDArray[np.uint64]:
+def node_keys(corners: Ints, weights: Array) -> NDArray[np.uint64]:
     """One number for each node, the same in every cell and side that shares it: corners hashed by their weights."""
     mixed = (corners.astype(np.uint64) + np.uint64(1)) * np.uint64(0x9E3779B97F4A7C15)
     mixed = (mixed ^ (mixed >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9)
@@ -137,7 +137,7 @@ def _numbered(keys: NDArray[np.uint64]) -> tuple[Ints, Ints, int]:
 
 def _positions(x: Array, at: Array) -> Array:
     """Points (c, n, 3) of cells with nodes at x (c, 27, 3), at reference coordinates (c, n, 3)."""
-    grid = np.rint(2 * _nodes(3)).astype(int)  # 0, 1, 2 along each direction
+    grid = np.rint(2 * reference_grid(3)).astype(int)  # 0, 1, 2 along each direction
     factors = np.stack([2 * (at - 0.5) * (at - 1), 4 * at * (1 - at), 2 * at * (at - 0.5)], axis=-1)
     shape = factors[:, :, 0][..., grid[:, 0]] * factors[:, :, 1][..., grid[:, 1]] * factors[:, :, 2][..., grid[:, 2]]
     return np.asarray(np.einsum("cna,cai->cni", shape, x))
@@ -152,9 +152,9 @@ def _cut_sides(mesh: Mesh, sides: Ints, chosen: Ints, of_cell: Ints, known: dict
     flags_of = np.stack([np.isin(_edge_keys(sides[:, list(group[0])], count), cut) for group in SIDE_EDGES], axis=1)
     for flags in product((False, True), repeat=2):
         rows = np.flatnonzero((flags_of == flags).all(axis=1))
-        for box in _boxes(flags):
-            at = _weights(_nodes(2)) @ box
-            keys = _keys(sides[rows, :4], np.broadcast_to(_weights(at), (len(rows), 9, 4)))
+        for box in parts_of(flags):
+            at = weights_at(reference_grid(2)) @ box
+            keys = node_keys(sides[rows, :4], np.broadcast_to(weights_at(at), (len(rows), 9, 4)))
             out.append(np.array([known[key] for key in keys.ravel().tolist()], dtype=np.int64).reshape(-1, 9))
             order.append(rows)
     return np.ascontiguousarray(np.concatenate(out)[np.argsort(np.concatenate(order), kind="stable")])

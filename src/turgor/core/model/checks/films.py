@@ -28,7 +28,7 @@ def check_films(
     Raises
     ------
     TurgorError
-        If a side has no sheet, a load is a weight, or threads are wound.
+        If a side has no sheet, a load is a weight and a sheet has no density, or threads are wound.
     """
     keys = corner_keys(mesh.film_sides, len(mesh.points))
     given = [corner_keys(mesh.face(name), len(mesh.points)) for name in sheets if name in mesh.faces]
@@ -39,6 +39,8 @@ def check_films(
             f"Membrane for faces that cover it, among {', '.join(mesh.faces)}."
         )
     if any(load.needs_density for load in loads):
-        raise TurgorError(f"'{mesh.name}' consists of films, which are weightless here; leave gravity out.")
+        for name, sheet in sheets.items():
+            if sheet.material.density is None:
+                raise TurgorError(f"materials.{name}: '{sheet.material.name}' has no density, and gravity needs it.")
     if reinforcements:
         raise TurgorError(f"'{mesh.name}' consists of films; threads are wound on solids only. Make the film woven.")

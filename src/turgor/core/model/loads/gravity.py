@@ -1,4 +1,4 @@
-"""Gravity: the weight of every region and of every reference point."""
+"""Gravity: the weight of every region, of every sheet that has a density, and of every reference point."""
 
 from collections.abc import Container
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ STANDARD_GRAVITY = 9.80665
 
 @dataclass(frozen=True, slots=True)
 class Gravity(Load):
-    """Weight of every region, and of the mass of every reference point.
+    """Weight of every region, of every sheet that has a density, and of the mass of every reference point.
 
     Parameters
     ----------

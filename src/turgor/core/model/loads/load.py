@@ -40,10 +40,10 @@ class NodalForces(Protocol):
         """Forces of ``value(points) -> (n, 3) force per reference volume [N/m³]``."""
 
     def per_mass(self, value: Callable[[Array], Array]) -> Array:
-        """Forces of ``value(points) -> (n, 3) acceleration [m/s²]`` of all regions."""
+        """Forces of ``value(points) -> (n, 3) acceleration [m/s²]`` of all regions and sheets."""
 
     def of_weight(self, acceleration: ArrayLike) -> Array:
-        """Forces of one acceleration (3,) [m/s²] of all regions and reference points."""
+        """Forces of one acceleration (3,) [m/s²] of all regions, sheets and reference points."""
 
     def at_point(self, at: Vector, force: Vector) -> Array:
         """Forces of a force (3,) [N] at a point of the surface."""

@@ -3,7 +3,7 @@
 from turgor.core.model.model import Model
 from turgor.core.solvers.checks.contact import check_contact
 from turgor.core.solvers.checks.fibers import check_fibers
-from turgor.core.solvers.checks.loads import idle_strips, states_while_loading
+from turgor.core.solvers.checks.loads import idle_strips, states_while_loading, weightless_sheets
 from turgor.core.solvers.checks.materials import constants_in_doubt
 from turgor.core.solvers.checks.obstacles import enclosed_obstacles, overlapping_obstacles
 from turgor.core.solvers.checks.plausibility.check import implausible
@@ -61,8 +61,8 @@ def early_findings(model: Model, procedure: Procedure) -> tuple[Finding, ...]:
     tuple of Finding
         Doubtful constants, unstable laws (M04 to M07), magnitudes outside the range of the field (P01 to P06, L08),
         supports that hold everything, a cavity or the tip (B09, B27, B28), cavities without a pressure or with several
-        (B03, L10), states of bodies (L11, L12), liquids that change nothing (L13), windings (B04, B05), walls and
-        obstacles that overlap (B07, B08), obstacles in a cavity (B29).
+        (B03, L10), states of bodies (L11, L12), liquids that change nothing (L13), sheets without a density (L14),
+        windings (B04, B05), walls and obstacles that overlap (B07, B08), obstacles in a cavity (B29).
 
     Raises
     ------
@@ -81,6 +81,7 @@ def early_findings(model: Model, procedure: Procedure) -> tuple[Finding, ...]:
             *added_pressures(model),
             *(() if procedure.stages else unloaded_cavities(model)),
             *idle_strips(questions),
+            *weightless_sheets(questions),
             *check_fibers(model),
             *check_contact(model),
             *overlapping_obstacles(model),

@@ -1,4 +1,4 @@
-"""Checks of loads: states of bodies before the others, hardening with a shape, liquids with a motion to act on."""
+"""Checks of loads: states of bodies before the others, hardening with a shape, liquids in motion, what is weighed."""
 
 from collections.abc import Sequence
 
@@ -68,7 +68,7 @@ def idle_strips(questions: Sequence[Question]) -> tuple[Finding, ...]:
     """
     loads = [load for question in questions for load in question.model.loads]
     idle = dict.fromkeys(load.label for load in loads if load.strips is not None)
-    if not idle or any(question.procedure.depends_on_path for question in questions):
+    if not idle or any(question.procedure.has_inertia for question in questions):
         return ()
     alone = all(load.strips is not None for load in loads)
     return (
@@ -79,5 +79,34 @@ def idle_strips(questions: Sequence[Question]) -> tuple[Finding, ...]:
             f"{'; nothing else drives the actuator' if alone else ''}.",
             advice="State the buoyancy as a HydrostaticPressure, [[loads.liquids]] in a job; or follow the motion with "
             "the procedure 'dynamic'.",
+        ),
+    )
+
+
+def weightless_sheets(questions: Sequence[Question]) -> tuple[Finding, ...]:
+    """Say which sheets on bodies have no density where others are weighed or accelerated (L14).
+
+    Parameters
+    ----------
+    questions : sequence of Question
+        Of all stages.
+
+    Returns
+    -------
+    tuple of Finding
+    """
+    weighed = any(load.needs_density for each in questions for load in each.model.loads)
+    if not weighed and not any(each.procedure.has_inertia for each in questions):
+        return ()
+    model = questions[0].model
+    light = [f"'{name}'" for name in model.membranes if name not in model.sheet_masses]
+    if not light:
+        return ()
+    return (
+        Finding(
+            code="L14",
+            severity=Severity.NOTE,
+            message=f"The sheet on {' and '.join(light)} has no density; its weight and inertia are left out.",
+            advice="State one, such as density = '1400 kg/m³'.",
         ),
     )

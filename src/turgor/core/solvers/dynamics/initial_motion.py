@@ -31,7 +31,8 @@ class Accelerations:
             self._fixed[3 * system.node_count :] = True
         self._coupled = bool(self._fixed.any())
         size = float(np.abs(mass).max())
-        self._scale = float(system.dV.sum(axis=1).max()) / size  # makes the mass as large as a stiffness
+        largest = float(system.dV.sum(axis=1).max(initial=0.0)) or 1.0  # films have no volume, and edges of about 1
+        self._scale = largest / size  # makes the mass as large as a stiffness
         data, mass = system.tangent_data(at), system.layout.spread(mass)
         pattern = self._pattern = system.pattern  # now: contact may have changed it
         row_of = pattern.indices

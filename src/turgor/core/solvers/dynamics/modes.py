@@ -87,10 +87,10 @@ def natural_frequencies(
 ) -> Modes:
     """Find the lowest natural frequencies of a model at rest or about a state of its path.
 
-    The tangent at the state, with its pressures and stresses, is the stiffness; the mass is that of the rubber and
-    of the liquid that moves along. Rubber
-    that relaxes has its instantaneous stiffness, as in a vibration much faster than its relaxation times. A half
-    model has the modes that are symmetric about its mirror planes, and no others.
+    The tangent at the state, with its pressures and stresses, is the stiffness; the mass is that of rubber and sheets
+    and of the liquid that moves along. Rubber that relaxes has its instantaneous stiffness, as in a vibration much
+    faster than its relaxation times. A half model has the modes that are symmetric about its mirror planes, and no
+    others.
 
     Parameters
     ----------
@@ -214,11 +214,12 @@ def _refined(solver: LinearSolver, pattern: Pattern, data: Array, right: Array) 
 
 def _first_shift(system: System) -> float:
     """A shift below the slowest vibration of most actuators [1/s²]."""
-    materials = system.model.region_materials.values()
+    sheets = (sheet.material for sheet in system.model.membranes.values())
+    materials = system.model.region_materials.values() or list(sheets)
     speed = min(m.law.shear_modulus / m.density for m in materials if m.density is not None)
     extent = float(np.ptp(system.model.mesh.points, axis=0).max())
-    rubber = total_mass(system.model)
-    return MODES.first_shift * speed / extent**2 * rubber / (rubber + attached_mass(system.model))
+    own = total_mass(system.model)
+    return MODES.first_shift * speed / extent**2 * own / (own + attached_mass(system.model))
 
 
 def _none_below(system: System, solver: LinearSolver, data: Array) -> bool:

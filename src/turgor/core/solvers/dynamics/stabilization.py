@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.algebra.additions import Linear
 from turgor.core.engine.cells.internal_variables import History
 from turgor.core.engine.energy import contact_energy, lasting_loss, stored_energy, work_of_states
-from turgor.core.engine.mass import mass_data
+from turgor.core.engine.mass import even_mass
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.model.drive import kinks
 from turgor.core.solvers.checkpoints.loop import Loop
@@ -93,10 +93,7 @@ def _begin(problem: Problem, procedure: StepOptions, share: float) -> _Run:
     history = system.history(problem.memory, inf)
     at = system.evaluate(unknowns, 0.0, history=history)
     assert at is not None
-    even = np.full(
-        len(system.cells), system.stress_scale / system.length**2
-    )  # a scaled mass of 1 for a scaled volume of 1
-    mass = mass_data(system, even)
+    mass = even_mass(system)
     strain = stored_energy(system, unknowns, at.load_factor, history) + contact_energy(system, at)
     free = free_motions(system.model) > 0
     run = _Run(

@@ -60,6 +60,7 @@ class Dynamic(TimeOptions):
     (0.0005, 0.01, 5e-07)
     """
 
+    has_inertia = True
     has_energies = True
     depends_on_path = "the actuator moves, and every state depends on all before it"
 

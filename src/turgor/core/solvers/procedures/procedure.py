@@ -45,6 +45,8 @@ class Procedure:
     #: Column of what it prescribes in cavities, whose pressures are unknown then, and its unit; ratios have none.
     drive: ClassVar[str] = ""
     drive_unit: ClassVar[str] = ""
+    #: Whether masses matter.
+    has_inertia: ClassVar[bool] = False
     #: Whether its states have energies.
     has_energies: ClassVar[bool] = False
     #: Why every state depends on all before it, whatever the model; such paths have no gradients and no mesh error.

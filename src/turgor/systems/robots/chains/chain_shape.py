@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import lsq_linear
 
+from turgor.core.engine.faces.surfaces import side_areas
 from turgor.core.engine.mass import cell_volumes, densities
 from turgor.core.model.model import Model
 from turgor.core.results.fields.state_fields import MeshFacts
@@ -109,7 +110,7 @@ class Bodies:
 
 
 def bodies_of(model: Model, links: int, origins: Array | None = None, at_base: bool = False) -> Bodies:
-    """Share the rubber among links by where it is at rest.
+    """Share rubber and sheets among links by where it is at rest.
 
     Parameters
     ----------
@@ -121,8 +122,7 @@ def bodies_of(model: Model, links: int, origins: Array | None = None, at_base: b
         Whether the first link begins at the base; otherwise half a link there does not move.
     """
     mesh, images = model.mesh, MeshFacts(model.mesh).images
-    weights = densities(model) * cell_volumes(mesh)
-    middles = mesh.points[mesh.cells[:, : mesh.cell_type.corners]].mean(axis=1)
+    weights, middles = _pieces(model)
     x = mesh.points[:, 0]
     ends = x.min() + np.ptp(x) * np.append((np.arange(links) + (0.0 if at_base else 0.5)) / links, 1.0)
     origins = np.zeros((links, 3)) if origins is None else origins
@@ -141,6 +141,18 @@ def bodies_of(model: Model, links: int, origins: Array | None = None, at_base: b
         near = (x >= low - 1e-9) & (x <= high + 1e-9)
         capsules.append(_capsule(np.concatenate([image.of(mesh.points[near]) for image in images]) - origin))
     return Bodies(np.array(masses), np.array(centers), np.array(inertias), np.array(capsules))
+
+
+def _pieces(model: Model) -> tuple[Array, Array]:
+    """Masses (k,) of all cells and of the sides of sheets, and their middles (k, 3)."""
+    mesh = model.mesh
+    weights = [densities(model) * cell_volumes(mesh)]
+    middles = [mesh.points[mesh.cells[:, : mesh.cell_type.corners]].mean(axis=1)]
+    for name, mass in model.sheet_masses.items():
+        sides = mesh.face(name)
+        weights.append(mass * side_areas(mesh.points, sides))
+        middles.append(mesh.points[sides[:, : mesh.cell_type.side.corners]].mean(axis=1))
+    return np.concatenate(weights), np.concatenate(middles)
 
 
 def _capsule(places: Array) -> Array:
