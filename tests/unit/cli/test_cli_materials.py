@@ -175,7 +175,7 @@ def test_the_page_of_the_documentation_is_up_to_date() -> None:
         assert table in page, "call python docs/materials_page.py"
     pictures = re.findall(r"images/materials/rubbers-(\d)\.png", page)
     assert all((DOCS / f"images/materials/rubbers-{number}.png").exists() for number in pictures)
-    assert len(pictures) == 4
+    assert len(pictures) == 5
 
 
 def test_panels_show_the_record_to_take_others_tests_and_the_maker() -> None:
