@@ -156,7 +156,7 @@ def test_spread_between_laboratories() -> None:
     assert not {"yeoh-yan-2016", "yeoh-elsayed-2014", "mooney-rivlin-steck-2019"} & set(dict(spread.stresses))
     assert spread.deviation == pytest.approx(np.log(values).std(ddof=1))
     assert spread.median == pytest.approx(np.median(values), rel=0.02)
-    assert (len(values), spread.others) == (10, 0)
+    assert (len(values), spread.others) == (11, 0)
     assert "maker" not in dict(spread_of("ecoflex-00-30", 1.5).stresses)
     typical, rubbers = typical_spread()
     assert rubbers >= 5
