@@ -115,9 +115,8 @@ def _result(outcome: "RunOutcome") -> object:
 
 def _numbers(outcome: "RunOutcome") -> tuple[list[str], list[str]]:
     """Last values of what is measured, what the setup is for first, and names of what is zero throughout."""
-    from turgor.core.results.error_text import last_with_error
+    from turgor.core.results.error_text import is_zero, last_with_error
     from turgor.core.results.measures.headlines import in_regions, with_parts
-    from turgor.views.report.response_table import is_zero
 
     job, response = outcome.job, outcome.response
     own = [] if job.setup is None else [name for name in job.setup.measures if name in response]

@@ -40,6 +40,8 @@ if TYPE_CHECKING:
     from turgor.core.materials.fitting.fit_directions import DirectionsFit as DirectionsFit
     from turgor.core.materials.fitting.fit_directions import fit_directions as fit_directions
     from turgor.core.materials.fitting.fit_laws import fit as fit
+    from turgor.core.materials.fitting.fit_woven import WovenFit as WovenFit
+    from turgor.core.materials.fitting.fit_woven import fit_woven as fit_woven
     from turgor.core.materials.fitting.histories.fit_flow import fit_flow as fit_flow
     from turgor.core.materials.fitting.histories.fit_history import fit_history as fit_history
     from turgor.core.materials.fitting.histories.history_fit import HistoryFit as HistoryFit

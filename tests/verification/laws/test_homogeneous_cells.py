@@ -25,7 +25,7 @@ from turgor.core.materials.laws.homogeneous import (
     simple_shear,
     uniaxial,
 )
-from turgor.core.materials.laws.laws import ArrudaBoyce, ExtendedTube, GeneralizedRivlin, Gent, Ogden
+from turgor.core.materials.laws.laws import ArrudaBoyce, ExtendedTube, GeneralizedRivlin, Gent, Ogden, YeohN
 
 A, B = problems.NEO_HOOKE, problems.YEOH
 C = tg.laws.MooneyRivlin(C10=1.190e3, C01=23.028e3)
@@ -34,7 +34,8 @@ F = GeneralizedRivlin.from_names({"C10": -7.48e3, "C01": 19.6e3, "C20": -198.0, 
 PRINTED = {"mu": (24361.0, 66.703, 453.81), "alpha": (1.7138, 7.0679, -3.3659)}
 G_ABAQUS, G_CANONICAL = Ogden.from_abaqus(**PRINTED), Ogden(**PRINTED)
 TUBE = ExtendedTube(Gc=4e4, Ge=6e4, delta=0.1, beta=0.4)
-UNLISTED = [Gent(mu=8e4, Jm=30.0), ArrudaBoyce(mu=8e4, locking_stretch=2.5), TUBE]
+FOUR_TERMS = YeohN(coefficients=(4e4, -900.0, 60.0, -0.5))
+UNLISTED = [Gent(mu=8e4, Jm=30.0), ArrudaBoyce(mu=8e4, locking_stretch=2.5), TUBE, FOUR_TERMS]
 TENSION = np.array([1.2, 1.5, 2.0, 3.0])
 TABLE = [  # law, name, moved faces, held faces, stress [MPa] at 0.7, then at TENSION
     (A, uniaxial, ("x1",), (), [-0.321796, 0.121333, 0.253333, 0.420000, 0.693333]),
@@ -134,7 +135,7 @@ def test_pull_of_laws_that_the_table_leaves_out(law, deformation, moved, held, r
 
 
 @pytest.mark.parametrize(
-    "law", [G_ABAQUS, F, *UNLISTED], ids=["Ogden", "Rivlin", "Gent", "ArrudaBoyce", "ExtendedTube"]
+    "law", [G_ABAQUS, F, *UNLISTED], ids=["Ogden", "Rivlin", "Gent", "ArrudaBoyce", "ExtendedTube", "YeohN"]
 )
 def test_simple_shear_of_laws_that_the_table_leaves_out(law, record_verification):
     """Shear stress and both normal stresses, the third direction being free in both."""

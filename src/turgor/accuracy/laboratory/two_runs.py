@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from turgor.accuracy.laboratory.compare import Comparison, compare
+from turgor.core.results.error_text import is_zero
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.response import Column, Response
 
@@ -26,7 +27,7 @@ class RunDifference:
     rms : float [SI]
         Root of the mean square of the differences.
     relative : float [-]
-        Over the range of the second run.
+        Over the range of the second run; infinite where this is zero.
     """
 
     name: str
@@ -40,7 +41,8 @@ class RunDifference:
         """Return the cells of a row of a table."""
         first, second, rms = Column(self.name, self.unit, np.array([self.first, self.second, self.rms])).in_unit
         named = f"{self.name} [{self.unit}]" if self.unit else self.name
-        return named, f"{first:.4g}", f"{second:.4g}", f"{rms:.2g}", f"{self.relative:.1%}"
+        share = f"{self.relative:.1%}" if np.isfinite(self.relative) else "–"
+        return named, f"{first:.4g}", f"{second:.4g}", f"{rms:.2g}", share
 
 
 def differing_keys(first: Mapping[str, Any], second: Mapping[str, Any]) -> tuple[tuple[str, str, str], ...]:
@@ -68,7 +70,7 @@ def differing_keys(first: Mapping[str, Any], second: Mapping[str, Any]) -> tuple
 
 
 def differences(first: Response, second: Response, comparison: Comparison) -> tuple[RunDifference, ...]:
-    """Return by how much all columns of two runs differ that both have.
+    """Return by how much all columns of two runs differ that both have; those that are zero in both are left out.
 
     Parameters
     ----------
@@ -76,10 +78,13 @@ def differences(first: Response, second: Response, comparison: Comparison) -> tu
     comparison : Comparison
         Of one column; it says what drives.
     """
+    others = {column.name: column for column in second.columns}
     rows = []
     for column in first.quantities:
         name = column.name
-        if name not in second or name in (comparison.x, "load_factor", "time", "stage"):
+        if name not in others or name in (comparison.x, "load_factor", "time", "stage"):
+            continue
+        if is_zero(column) and is_zero(others[name]):
             continue
         try:
             each = compare(first, second, name, x=comparison.x)

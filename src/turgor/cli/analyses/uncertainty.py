@@ -76,7 +76,7 @@ def _run(options: _Options) -> None:
         runs = saved_in(folder / RUNS, processes=options.processes, progress=report_run, retry=options.retry)
         with saved_in_folder(folder):
             uncertainty = propagate_job(plan, base, runs)
-        sentences = [uncertainty.sentence(name, at) for name in uncertainty.bands]
+        sentences = uncertainty.sentences(at)
         files = [folder / "uncertainty.csv", folder / "uncertainty.png", folder / "uncertainty.txt"]
         uncertainty.to_response().to_csv(files[0])
         if uncertainty.cases:

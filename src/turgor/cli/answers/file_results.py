@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from turgor.core.geometry.cad.inspection import Inspection
     from turgor.core.materials.experiments.material_test import MaterialTest
     from turgor.core.materials.fitting.fit_directions import DirectionsFit
+    from turgor.core.materials.fitting.fit_woven import WovenFit
     from turgor.core.materials.fitting.histories.history_fit import HistoryFit
     from turgor.core.materials.fitting.ranking import Ranking
     from turgor.core.materials.fitting.result import Fit
@@ -163,7 +164,7 @@ def fit_result(
     rankings: "Iterable[tuple[str, Ranking]]",
     history: "HistoryFit | None" = None,
     folder: Path | None = None,
-    directions: "Iterable[DirectionsFit]" = (),
+    directions: "Iterable[DirectionsFit | WovenFit]" = (),
 ) -> FitResult:
     """Make the result of a fit."""
     return FitResult(

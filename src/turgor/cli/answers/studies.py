@@ -105,7 +105,7 @@ def uncertainty_result(uncertainty: "Uncertainty", files: Sequence[Path]) -> Unc
     from turgor.cli.answers.results import columns_of
 
     return UncertaintyResult(
-        sentences=[uncertainty.sentence(name) for name in uncertainty.bands],
+        sentences=uncertainty.sentences(),
         method=uncertainty.checked(),
         runs=uncertainty.runs,
         columns=columns_of(uncertainty.to_response()),

@@ -7,18 +7,33 @@ from typing import TYPE_CHECKING
 import typer
 
 from turgor.cli.fitting.fit_options import DEFAULT_LAWS, FitOptions
-from turgor.cli.fitting.fit_texts import CUTS, common_name, cuts_of, fixed_of, names_cuts
+from turgor.cli.fitting.fit_texts import CUTS, STRIPS, common_name, cuts_of, fixed_of, names_cuts
 from turgor.foundation.errors import TurgorError, unknown
 
 if TYPE_CHECKING:
     from turgor.core.materials.experiments.material_test import MaterialTest
     from turgor.core.materials.fitting.fit_directions import DirectionsFit
+    from turgor.core.materials.fitting.fit_woven import WovenFit
 
-#: Law that is fitted by default: that of a print.
-LAW = "orthotropic"
+#: Law that is fitted by default: that of a print; that of strips of a fabric.
+LAW, WOVEN = "orthotropic", "woven"
 
 
-def fit_cuts(chosen: FitOptions, tests: "Sequence[MaterialTest]") -> "list[DirectionsFit]":
+#: What the table for a job says above it, for a body and for a fabric, and its region.
+_NOTES = (
+    (
+        "Fitted by turgor: copy this table into a job, and turn its directions to those of",
+        "the part. Files of records have no directions.",
+    ),
+    (
+        "Fitted by turgor: copy this table into a job, and add the thickness by which the forces of",
+        'the strips were divided, and the direction of the warp: thickness = "0.2 mm", warp = "x".',
+    ),
+)
+_REGIONS = ("body", "strain_limiting_layer")
+
+
+def fit_cuts(chosen: FitOptions, tests: "Sequence[MaterialTest]") -> "list[DirectionsFit | WovenFit]":
     """Fit each law to specimens that were cut along directions, print the constants, and write them with a picture.
 
     Parameters
@@ -27,15 +42,14 @@ def fit_cuts(chosen: FitOptions, tests: "Sequence[MaterialTest]") -> "list[Direc
     tests : sequence of MaterialTest
         In the order of the files, or with the direction as their batch.
     """
-    from turgor.core.materials.fitting.fit_directions import fit_directions
     from turgor.core.materials.fitting.fit_laws import check_tests
 
     by_cut: dict[str, list[MaterialTest]] = {}
     for cut, test in zip(_cuts(chosen, tests), tests, strict=True):
         by_cut.setdefault(cut, []).append(test)
-    laws = [LAW] if chosen.laws == DEFAULT_LAWS else [law.strip() for law in chosen.laws.split(",") if law.strip()]
-    starts = min(chosen.starts, 4)  # each specimen needs a search for its width, and four agree on prints
-    fits = [fit_directions(law, by_cut, fixed=fixed_of(chosen.fixed), starts=starts, seed=chosen.seed) for law in laws]
+    usual = WOVEN if set(by_cut) <= set(STRIPS) else LAW
+    laws = [usual] if chosen.laws == DEFAULT_LAWS else [law.strip() for law in chosen.laws.split(",") if law.strip()]
+    fits = [_fit(chosen, law, by_cut) for law in laws]
     for law, result in zip(laws, fits, strict=True):
         _tell(law, result)
     for finding in check_tests(tests, tests, "even"):
@@ -43,6 +57,24 @@ def fit_cuts(chosen: FitOptions, tests: "Sequence[MaterialTest]") -> "list[Direc
     if chosen.output is not None:
         _write(chosen.output, common_name(chosen.files), laws, fits)
     return fits
+
+
+def _fit(chosen: FitOptions, law: str, by_cut: "dict[str, list[MaterialTest]]") -> "DirectionsFit | WovenFit":
+    """Fit one law."""
+    fixed = fixed_of(chosen.fixed)
+    if law == WOVEN:
+        from turgor.core.materials.fitting.fit_woven import fit_woven
+
+        if list(fixed) != ["nu"]:
+            raise TurgorError(
+                "strips do not show the contraction of a woven fabric: state nu, and nothing else, with --fixed, "
+                "such as --fixed nu=0.2; it moves the shear modulus by a few percent."
+            )
+        return fit_woven(by_cut, nu=fixed["nu"])
+    from turgor.core.materials.fitting.fit_directions import fit_directions
+
+    starts = min(chosen.starts, 4)  # each specimen needs a search for its width, and four agree on prints
+    return fit_directions(law, by_cut, fixed=fixed, starts=starts, seed=chosen.seed)
 
 
 def check_directions(chosen: FitOptions) -> None:
@@ -66,8 +98,8 @@ def check_directions(chosen: FitOptions) -> None:
         raise TurgorError(f"--directions does not go with {' and '.join(given)}.{why}")
     count = len(cuts_of(chosen.directions))
     for cut in cuts_of(chosen.directions) if count > 1 else ():
-        if cut not in CUTS:
-            raise unknown("direction in --directions", cut, CUTS)
+        if cut not in (*CUTS, *STRIPS):
+            raise unknown("direction in --directions", cut, (*CUTS, *STRIPS))
     if names_cuts(chosen.directions) and count != len(chosen.files):
         raise TurgorError(
             f"--directions names {count} direction{'s' * (count > 1)} for {len(chosen.files)} files; give one for each "
@@ -83,7 +115,7 @@ def _cuts(chosen: FitOptions, tests: "Sequence[MaterialTest]") -> list[str]:
     return [test.batch.strip().lower() for test in tests]
 
 
-def _tell(law: str, result: "DirectionsFit") -> None:
+def _tell(law: str, result: "DirectionsFit | WovenFit") -> None:
     """Print the constants of a law and how far each test is off."""
     from turgor.units import deg
 
@@ -100,7 +132,7 @@ def _tell(law: str, result: "DirectionsFit") -> None:
     if loose:
         typer.echo(f"  The tests hardly determine {', '.join(loose)}: state it with --fixed, or add a test.")
     if "angle" in result.values:
-        typer.echo(f"  Fibers lie at {result.angle / deg:.3g}° on both sides of the first direction.")
+        typer.echo(f"  Fibers lie at {result.values['angle'] / deg:.3g}° on both sides of the first direction.")
 
 
 def _shown(law: str, name: str, value: float) -> str:
@@ -113,7 +145,7 @@ def _shown(law: str, name: str, value: float) -> str:
     return f"{value:.4g}" if has_no_unit(name) else stress_text(value)
 
 
-def _write(folder: Path, name: str, laws: Sequence[str], fits: "Sequence[DirectionsFit]") -> None:
+def _write(folder: Path, name: str, laws: Sequence[str], fits: "Sequence[DirectionsFit | WovenFit]") -> None:
     """Write a picture and the table of a job for each law."""
     import tomlkit
 
@@ -125,10 +157,8 @@ def _write(folder: Path, name: str, laws: Sequence[str], fits: "Sequence[Directi
         stem = "-".join([*name.lower().split(), law.replace("_", "-")])
         write_fit_plot(folder / f"{stem}.png", directions_figure(result, title=f"{name}: {law}"))
         document = tomlkit.document()
-        document.add(
-            tomlkit.comment("Fitted by turgor: copy this table into a job, and turn its directions to those of")
-        )
-        document.add(tomlkit.comment("the part. Files of records have no directions."))
-        document["materials"] = {"body": job_table(result.material())}
+        for line in _NOTES[law == WOVEN]:
+            document.add(tomlkit.comment(line))
+        document["materials"] = {_REGIONS[law == WOVEN]: job_table(result.material())}
         (folder / f"{stem}.toml").write_text(tomlkit.dumps(document), encoding="utf-8")
     typer.echo(f"Pictures, and tables for a job, in {folder}.")

@@ -58,7 +58,8 @@ class FitOptions:
     directions: Annotated[
         str,
         typer.Option(
-            help="Fit a law with directions: along, across or through for each file, or the column that says so."
+            help="Fit a law with directions: along, across or through for each file; warp, weft and bias of a fabric; "
+            "or the column that says so."
         ),
     ] = ""
     fixed: Annotated[

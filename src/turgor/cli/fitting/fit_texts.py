@@ -12,6 +12,9 @@ if TYPE_CHECKING:
 #: Directions that specimens are cut along; a test compares them with those of `fit_directions`.
 CUTS = ("along", "across", "through")
 
+#: Directions of the strips of a woven fabric; a test compares them with those of `fit_woven`.
+STRIPS = ("warp", "weft", "bias")
+
 #: What `--zero` estimates.
 AUTO = "auto"
 
@@ -147,10 +150,10 @@ def names_cuts(text: str) -> bool:
 
     Examples
     --------
-    >>> names_cuts("along,across"), names_cuts("print direction"), names_cuts("")
-    (True, False, False)
+    >>> names_cuts("along,across"), names_cuts("warp,weft,bias"), names_cuts("print direction"), names_cuts("")
+    (True, True, False, False)
     """
-    return bool(text) and all(cut in CUTS for cut in cuts_of(text))
+    return bool(text) and all(cut in (*CUTS, *STRIPS) for cut in cuts_of(text))
 
 
 def cuts_of(text: str) -> list[str]:

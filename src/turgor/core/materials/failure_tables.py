@@ -6,9 +6,9 @@ from typing import Any
 
 from turgor.core.materials.crack_growth import CRACK_GROWTH, CrackGrowth
 from turgor.core.materials.library.record_values import strength
-from turgor.core.materials.library.table_keys import table
 from turgor.core.materials.material import Material
 from turgor.core.materials.strength import STRENGTHS, Strength
+from turgor.core.materials.table_keys import table
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.units import format_quantity
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.materials.library.table_keys import table
+from turgor.core.materials.table_keys import table
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantity, number, shown
 from turgor.foundation.round_off import ROUND_OFF

@@ -10,6 +10,11 @@ from turgor.foundation.response import COLUMN_UNITS, Column, Response
 NOT_SHOWN = 1e-6
 
 
+def is_zero(column: Column) -> bool:
+    """Return whether a column is zero throughout, to the digits that are shown."""
+    return bool((np.abs(column.in_unit) < NOT_SHOWN).all())
+
+
 def with_error(value: float, error: float, unit: str) -> str:
     """Write a value with its mesh error, both in ``unit``, with as many digits as the error allows to tell apart.
 

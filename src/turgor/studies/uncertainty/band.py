@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.results.error_text import is_zero
 from turgor.core.results.measures.headlines import headlines
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.response import MESH_ERROR, Column, Response
@@ -56,6 +57,11 @@ class Band:
     parts: Mapping[str, Array]
     together: Array
     mesh: Array | None = None
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether values and their spread are zero throughout."""
+        return all(is_zero(Column(self.name, self.unit, each)) for each in (self.nominal, self.deviation))
 
     def shares(self, row: int = -1) -> dict[str, float]:
         """Return the share of the variance that each input brings at one row, by label."""
@@ -149,6 +155,17 @@ class Uncertainty:
         x = f"{here:.4g} {self.drive.unit}".rstrip()
         return f"{band.name.replace('_', ' ')} at {x}: {band.shown(value)} {' '.join(parts)}"
 
+    def sentences(self, at: float | None = None) -> list[str]:
+        """Return the sentence of each column, without those that are zero throughout, such as what a support bears.
+
+        Parameters
+        ----------
+        at : float [SI], optional
+            Value of what drives; the last one by default.
+        """
+        here = [band.name for band in self.bands.values() if not band.is_zero]
+        return [self.sentence(name, at) for name in here or self.bands]
+
     def case_sentences(self, at: float | None = None) -> list[str]:
         """Return the lowest and the highest record of each column, with and without the doubtful ones.
 
@@ -172,9 +189,7 @@ class Uncertainty:
 
     def summary(self) -> str:
         """Return the sentence of every column, and how they were computed."""
-        return "\n".join(
-            [*(self.sentence(name) for name in self.bands), self.checked(), *self.case_sentences(), *self.notes]
-        )
+        return "\n".join([*self.sentences(), self.checked(), *self.case_sentences(), *self.notes])
 
     def checked(self) -> str:
         """Return how the bands were computed, and how well held-out runs agree."""

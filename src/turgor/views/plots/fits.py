@@ -9,7 +9,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from turgor.core.materials.experiments.material_test import MaterialTest
-from turgor.core.materials.fitting.fit_directions import DirectionsFit, specimen_stress
+from turgor.core.materials.fitting.fit_directions import DirectionsFit
+from turgor.core.materials.fitting.fit_woven import WovenFit
 from turgor.core.materials.fitting.result import Fit
 from turgor.core.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
 from turgor.foundation.errors import TurgorError
@@ -153,12 +154,12 @@ def fit_figure(fits: Sequence[Fit], tests: Sequence[MaterialTest] = (), *, title
     return figure
 
 
-def directions_figure(result: DirectionsFit, *, title: str = "") -> Figure:
+def directions_figure(result: DirectionsFit | WovenFit, *, title: str = "") -> Figure:
     """Draw the measured points of each specimen, and the curve of the law in its direction.
 
     Parameters
     ----------
-    result : DirectionsFit
+    result : DirectionsFit or WovenFit
     title : str
         Line above the plot.
     """
@@ -171,7 +172,7 @@ def directions_figure(result: DirectionsFit, *, title: str = "") -> Figure:
             label = f"{cut}, measured" if number == 0 else None
             axes.plot(test.stretch, test.nominal_stress / MPa, "o", color=color, ms=3.5, alpha=0.5, mew=0, label=label)
         grid = np.linspace(1.0, max(test.range[1] for test in tests), PLOT.curve_points)
-        axes.plot(grid, specimen_stress(result.material(cut), grid) / MPa, "-", color=color, lw=1.5, label=cut)
+        axes.plot(grid, result.stress(cut, grid) / MPa, "-", color=color, lw=1.5, label=cut)
     axes.set_xlabel("stretch [-]", color=INK)
     axes.set_ylabel("nominal stress [MPa]", color=INK)
     axes.legend(frameon=False, fontsize=8, labelcolor=INK)

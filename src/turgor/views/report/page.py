@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from turgor.core.engine.percentiles import PERCENTILE
 from turgor.core.meshing.quality.cell_quality import MeshQuality
 from turgor.core.results.drive import drive_of, pressures_in
-from turgor.core.results.error_text import last_with_error
+from turgor.core.results.error_text import is_zero, last_with_error
 from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.measures.field_measures import BY_REGION
 from turgor.core.results.measures.headlines import headlines, in_regions, with_parts
@@ -32,7 +32,7 @@ from turgor.views.report.headline import modeled_part
 from turgor.views.report.job_text import tidy
 from turgor.views.report.material_plots import law_plot
 from turgor.views.report.references import references
-from turgor.views.report.response_table import is_zero, parted, response_table
+from turgor.views.report.response_table import parted, response_table
 from turgor.views.report.settings import PAGE
 from turgor.views.report.templating import rendered
 from turgor.views.viewer.assets import viewer_scripts, viewer_style

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from turgor.core.results.drive import drive_of, pressures_in
-from turgor.core.results.error_text import NOT_SHOWN, with_error
+from turgor.core.results.error_text import is_zero, with_error
 from turgor.foundation.display import MOST_ENTRIES, MOST_ROWS
 from turgor.foundation.response import Column, Response
 
@@ -78,11 +78,6 @@ def shown_rows(count: int) -> list[int]:
     """
     step = max(1, -(-(count - 1) // (MOST_ROWS - 1)))
     return [*range(0, count - 1, step), count - 1]
-
-
-def is_zero(column: Column) -> bool:
-    """Return whether a column is zero throughout, to the digits of a page."""
-    return bool((np.abs(column.in_unit) < NOT_SHOWN).all())
 
 
 def _written(response: Response, column: Column) -> list[str]:

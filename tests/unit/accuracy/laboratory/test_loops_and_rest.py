@@ -197,7 +197,8 @@ def test_two_runs_name_what_differs(tmp_path, capsys):
         folder.mkdir()
         columns = (Column("load_factor", "", [0, 0.5, 1]), Column("pressure", "kPa", [0, 10e3, 20e3]))
         more = (Column("bending_angle", "deg", [0, 0.1 * factor, 0.2 * factor]),)
-        more += (Column("cavity_volume", "mL", [1e-6, 2e-6, 3e-6]),)
+        more += (Column("cavity_volume", "mL", [1e-6, 2e-6, 3e-6]), Column("reaction", "N", [0, factor * 1e-9, 2e-9]))
+        more += (Column("tip_displacement", "mm", [1e-3, 1e-3, 1e-3]),)
         Response(columns=columns + more, source=Source(text=name)).to_csv(folder / "response.csv")
         lock = f'name = "{name}"\n[materials.body]\nC10 = "{constant}"\nsource.text = "{name}"\n'
         (folder / "job.lock.toml").write_text(lock, encoding="utf-8")
@@ -207,6 +208,9 @@ def test_two_runs_name_what_differs(tmp_path, capsys):
     (row,) = [each.split() for each in said.splitlines() if each.startswith("bending_angle")]
     assert row[2:4] == ["11.46", "5.73"]
     assert "cavity_volume [mL]" in said and "of the other run's range" in said
+    assert "reaction" not in said  # round-off in both
+    (still,) = [each.split() for each in said.splitlines() if each.startswith("tip_displacement")]
+    assert still[2:4] == ["1", "1"] and "inf" not in said
 
 
 def test_a_rig_that_gives_way_on_the_command_line(tmp_path, capsys, monkeypatch):

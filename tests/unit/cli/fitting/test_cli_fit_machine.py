@@ -11,8 +11,8 @@ from typer.testing import CliRunner
 import turgor as tg
 from refused import states
 from turgor.cli.fitting.fit import fit_command
-from turgor.cli.fitting.fit_texts import CUTS
-from turgor.core.materials.fitting import fit_directions
+from turgor.cli.fitting.fit_texts import CUTS, STRIPS
+from turgor.core.materials.fitting import fit_directions, fit_woven
 from turgor.core.materials.fitting.fit_directions import specimen_stress
 from turgor.core.materials.orientation import Orientation
 
@@ -94,6 +94,40 @@ def test_a_print_is_fitted_from_files_or_from_a_column(run, cuts, tmp_path, one_
     assert table.with_suffix(".png").read_bytes().startswith(b"\x89PNG")
 
 
+@pytest.fixture
+def woven(tmp_path):
+    """Three strips of a fabric, 50 mm wide and 0.2 mm thick."""
+    stretch, files = np.linspace(1.0, 1.02, 11), []
+    cloth = tg.laws.Woven(E=400e6, E_weft=150e6, G=12e6, nu=0.25)
+    for cut, angle in fit_woven.STRIPS.items():
+        force = cloth.modulus_along(angle) * fit_woven.strip_strain(stretch) * 50e-3 * 0.2e-3
+        rows = "".join(f"{200 * (a - 1):.6f},{f:.6f}\n" for a, f in zip(stretch, force, strict=True))
+        files.append(tmp_path / f"{cut}.csv")
+        files[-1].write_text("Extension (mm),Force (N)\n" + rows)
+    return files
+
+
+def test_strips_of_a_fabric_become_the_table_of_a_sheet(run, woven, tmp_path):
+    asked = ("--mode", "uniaxial", "--specimen", "200 mm, 50 mm, 0.2 mm", "--directions", "warp,weft,bias")
+    result = run(*woven, *asked, "--fixed", "nu=0.25", "--output", tmp_path / "out")
+    assert result.exit_code == 0, result.output
+    assert "G = 12 MPa" in result.output and "bias" in result.output
+    (table,) = (tmp_path / "out").glob("*woven.toml")
+    sheet = tomllib.loads(table.read_text())["materials"]["strain_limiting_layer"]
+    assert [float(sheet[name].split()[0]) for name in ("E", "E_weft", "G")] == pytest.approx(
+        [400e3, 150e3, 12e3], rel=1e-4
+    )
+    assert (sheet["law"], sheet["nu"]) == ("woven", 0.25) and "thickness" in table.read_text()
+    assert table.with_suffix(".png").read_bytes().startswith(b"\x89PNG")
+    assert (
+        json.loads(run(*woven, *asked, "--fixed", "nu=0.25", "--json").output)["result"]["directions"][0]["law"]
+        == "Woven"
+    )
+    for wrong in ((), ("--fixed", "nu=0.25, G=3 MPa")):
+        assert states(run(*woven, *asked, *wrong).output, "--fixed nu=0.2")
+    assert states(run(*woven, *asked, "--laws", "orthotropic").output, "warp", "along")
+
+
 def test_mistakes_about_directions_are_named(run, cuts):
     first, second, both = cuts
     mode = ("--mode", "uniaxial")
@@ -106,3 +140,4 @@ def test_mistakes_about_directions_are_named(run, cuts):
 
 def test_the_directions_are_those_of_python():
     assert tuple(fit_directions.CUTS) == CUTS
+    assert tuple(fit_woven.STRIPS) == STRIPS

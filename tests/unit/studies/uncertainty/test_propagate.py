@@ -94,6 +94,20 @@ def test_the_sentence_tells_mesh_and_inputs():
     assert len(uncertainty_figure(result).axes) == 2
 
 
+def with_round_off(a: float) -> Response:
+    """y = a x, and a reaction of round-off."""
+    x = np.array([0.0, 1e3, 2e3])
+    columns = Column("pressure", "kPa", x), Column("reaction", "N", a * 1e-13 * x), Column("force", "N", a * x / 1e3)
+    return Response(columns=columns, source=Source(text="round-off"))
+
+
+def test_columns_of_round_off_have_no_sentence():
+    found = propagate(with_round_off, [A])
+    assert [text.partition(" at ")[0] for text in found.sentences()] == ["force"]
+    assert "reaction" not in found.summary() and "reaction" in found.bands
+    assert found.sentences(at=1e3) == [found.sentence("force", 1e3)]
+
+
 def test_a_spread_of_the_pressure_takes_no_run():
     asked = Computation(function=product, values={"a": 2.0})
     result = propagate(asked, [Spread(name="pressure", deviation=100.0)])

@@ -76,6 +76,10 @@ class DirectionsFit:
         """
         return _lying(self.law, self.angle, cut)
 
+    def stress(self, cut: str, stretch: Array) -> Array:
+        """Return the nominal stress [Pa] of a specimen that was cut along a direction, at stretches [-]."""
+        return specimen_stress(self.material(cut), stretch)
+
     def off(self, cut: str, test: MaterialTest) -> float:
         """Return the root mean square of the deviations from a test, over its stresses.
 

@@ -48,6 +48,11 @@ def law_spec(law: str | type[Any] | LawSpec) -> LawSpec:
             f"{LAWS[oriented].__name__} has directions and needs specimens that were cut along them: fit it with "
             "fit_directions in Python, --directions on the command line, without relaxation."
         )
+    if spelled(law, ["woven"]) is not None:
+        raise TurgorError(
+            "a woven fabric needs strips along warp, weft and bias: fit it with fit_woven in Python, --directions "
+            "warp,weft,bias on the command line."
+        )
     known = [*single, *(f"{each.series}-N" for each in dict.fromkeys(series.values()))]
     hint = near_match(re.sub(r"[\s_]+", "-", law.strip().lower()), [*single, *(f"{name}-3" for name in series)]) or "."
     raise TurgorError(f"unknown law '{law}'{hint} Known: {', '.join(sorted(known))}.")

@@ -180,7 +180,7 @@ class Fit(Shown):
         names = ", ".join(test.name for test in self.tests)
         detail = (
             f"{self.spec.name} by {self.weights} least squares, {100 * self.relative:.2g} % off on average; "
-            f"{'; '.join(test.source.detail or test.source.text for test in self.tests)}"
+            f"{'; '.join(dict.fromkeys(test.source.detail or test.source.text for test in self.tests))}"
         )
         return Material(
             name=name or f"{self.spec.name} of {names}",

@@ -9,6 +9,7 @@ from turgor.core.materials.laws.laws import Hooke, Law
 from turgor.core.materials.laws.pull import pull
 from turgor.core.materials.library.doubt_checks import USUAL_RANGE
 from turgor.core.materials.library.doubts import find_doubts
+from turgor.core.materials.library.reasons import why_taken
 from turgor.core.materials.library.record import Record
 from turgor.core.materials.library.record_files import library, records
 from turgor.core.materials.library.records import recommended
@@ -144,7 +145,7 @@ def _row(name: str, chosen: Record | None) -> MaterialRow:
         modulus=None if chosen is None else _modulus(chosen),
         spread=(min(sure), max(sure)) if sure else None,
         stretch_range=None if chosen is None else chosen.stretch_range,
-        record="" if chosen is None else chosen.name, why="" if chosen is None else chosen.recommended,
+        record="" if chosen is None else chosen.name, why="" if chosen is None else why_taken(chosen),
         records=len(known), ultimate=known[0].strength.ultimate_stretch if known[0].strength else None,
     )  # fmt: skip
 

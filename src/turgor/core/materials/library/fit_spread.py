@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from turgor.core.materials.laws.conventions import has_no_unit
-from turgor.core.materials.library.table_keys import table
+from turgor.core.materials.table_keys import table
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import parse_quantity

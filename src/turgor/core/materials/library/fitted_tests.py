@@ -6,7 +6,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from turgor.core.materials.library.table_keys import table
+from turgor.core.materials.table_keys import table
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:  # a job loads this file, and needs no tests

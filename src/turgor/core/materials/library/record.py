@@ -20,8 +20,8 @@ from turgor.core.materials.library.record_history import (
     read_stress_softening,
     read_viscoelasticity,
 )
-from turgor.core.materials.library.table_keys import table
 from turgor.core.materials.strength import Strength
+from turgor.core.materials.table_keys import table
 from turgor.foundation.errors import TurgorError, unknown
 
 REVIEW = (

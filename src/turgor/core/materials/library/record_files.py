@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 from turgor.core.materials.library.record import FILE_KEYS, Record, read_record
-from turgor.core.materials.library.table_keys import table
+from turgor.core.materials.table_keys import table
 from turgor.foundation.errors import TurgorError, near_match
 from turgor.foundation.toml_text import read_text, read_toml
 

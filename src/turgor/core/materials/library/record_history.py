@@ -8,7 +8,7 @@ from turgor.core.materials.history.bergstrom_boyce import BergstromBoyce
 from turgor.core.materials.history.permanent_set import PermanentSet
 from turgor.core.materials.history.softening import Mullins
 from turgor.core.materials.history.viscoelastic import Prony
-from turgor.core.materials.library.table_keys import table
+from turgor.core.materials.table_keys import table
 from turgor.foundation.errors import TurgorError
 from turgor.units import format_quantity, parse_quantity
 

@@ -5,10 +5,11 @@ from math import inf
 
 from turgor.core.materials.library.choose import MaterialRow, choose, material_rows
 from turgor.core.materials.library.doubts import find_doubts
+from turgor.core.materials.library.reasons import against_maker, why_taken
 from turgor.core.materials.library.record import Record
 from turgor.core.materials.library.record_files import all_records, library, records
 from turgor.core.materials.library.record_history import describe_history
-from turgor.core.materials.library.records import find_record
+from turgor.core.materials.library.records import find_record, recommended
 from turgor.core.materials.library.spread import spread_of
 from turgor.core.materials.strength import STRENGTHS, Strength
 from turgor.foundation.errors import TurgorError
@@ -47,6 +48,7 @@ def describe_material(name: str, record: str | None = None) -> str:
       law: hooke
       printed: E = 103 GPa, nu = 0.34
       canonical: E = 103 GPa, nu = 0.34
+      recommended: The only set: as published.
       source: B. Wang, K. C. Aw, M. Biglari-Abhari, A. McDaid, in Proc. IEEE/ASME Int. Conf. on Advanced \
 Intelligent Mechatronics, IEEE, Piscataway, NJ 2016, pp. 83–88
       quoted in: Table 3 of Xavier, Fleming and Yong 2021, references 144
@@ -159,8 +161,11 @@ def _lines(record: Record) -> Iterator[str]:
         yield f"bulk modulus: {record.bulk_modulus / 1e6:.4g} MPa"
     if record.stretch_range is not None:
         yield f"fitted from stretch {record.stretch_range[0]:g} to {record.stretch_range[1]:g}"
-    if record.recommended:
-        yield f"recommended: {record.recommended}"
+    best = recommended(record.library)
+    if best is not None and best.name == record.name and why_taken(record):
+        yield f"recommended: {why_taken(record)}"
+    if check := against_maker(record):
+        yield f"check: {check}"
     if record.fitted is not None:
         yield f"fitted by turgor ({record.fitted.law}) to {', '.join(record.fitted.names)}, which the library holds"
     for what, text in describe_history(record):

@@ -6,8 +6,8 @@ from math import inf, isfinite
 from typing import Any
 
 from turgor.core.materials.laws.conventions import has_no_unit
-from turgor.core.materials.library.table_keys import table
 from turgor.core.materials.strength import STRENGTHS, Strength
+from turgor.core.materials.table_keys import table
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import number
 from turgor.units import parse_quantity

@@ -159,7 +159,7 @@ def sound_laws(name: str) -> tuple[tuple[Record, Law], ...]:
     Examples
     --------
     >>> len(sound_laws("ecoflex-00-30")), len(sound_laws("silicone-o-ring"))
-    (9, 0)
+    (10, 0)
     """
     laws = ((record, record.build_law()) for record in records(name) if not _doubted(record))
     return tuple((record, law) for record, law in laws if not isinstance(law, Hooke))

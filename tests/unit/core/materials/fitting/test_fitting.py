@@ -1,6 +1,6 @@
 """Fitting: what is constrained, what is reported, and what is refused."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import pytest
@@ -22,6 +22,7 @@ from turgor.core.materials.laws.stability import first_instability
 from turgor.core.materials.library.record_files import read_records
 from turgor.core.materials.material import Material
 from turgor.foundation.finding import Severity
+from turgor.foundation.source import Source
 
 
 def made(law, mode="uniaxial", upto=3.0, points=30, **values):
@@ -267,6 +268,14 @@ def test_material_carries_law_source_and_doubt():
     assert material.density == 1100.0
     assert "uniaxial" in str(material.source)
     assert [doubt[:3] for doubt in material.source.doubts] == ["M02"]
+
+
+def test_what_several_tests_share_is_said_once():
+    """Specimens of one file have its name and columns in common."""
+    shared = Source(text="a file", detail="all.csv: stretch from 'stretch'")
+    tests = [replace(made(YEOH), name=name, source=shared) for name in ("first", "second")]
+    source = fit("yeoh", tests, starts=2).material.source
+    assert source.detail.count("all.csv") == 1 and "first, second" in source.text
 
 
 @pytest.mark.parametrize(

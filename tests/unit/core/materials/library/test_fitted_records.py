@@ -51,7 +51,7 @@ def test_every_rubber_with_several_sets_has_one_to_take() -> None:
 
 
 def test_the_message_without_a_record_names_the_one_to_take() -> None:
-    with refused("'ecoflex-00-30'", "12", "yeoh-kulkarni-2015", "Recommended"):
+    with refused("'ecoflex-00-30'", "13", "yeoh-kulkarni-2015", "Recommended"):
         find_record("ecoflex-00-30")
 
 

@@ -11,7 +11,9 @@ from turgor.core.materials.failure_tables import failure_tables, read_strength
 from turgor.core.materials.laws.laws import Hooke, NeoHooke
 from turgor.core.materials.laws.pull import pull
 from turgor.core.materials.library.choose import choose, material_rows
+from turgor.core.materials.library.reasons import why_taken
 from turgor.core.materials.library.record_files import all_records, library, records
+from turgor.core.materials.library.record_text import describe_material
 from turgor.core.materials.library.records import find_record, from_library, recommended
 from turgor.core.materials.library.spread import LEAST, spread_of, typical_spread
 from turgor.core.materials.material import Material
@@ -105,7 +107,7 @@ def test_choice_by_hardness_and_by_what_the_actuator_sees() -> None:
     assert set(soft) == {"ecoflex-00-20", "ecoflex-00-30", "ecoflex-00-35"}
     assert next(row.name for row, _ in choose(hardness="OO 35")) == "ecoflex-00-35"
     ten = choose(190e3, hardness="10A")
-    assert {row.hardness for row, _ in ten} == {"2 A", "10 A", "15 A", "16 A", "20 A"}
+    assert {row.hardness for row, _ in ten} == {"2 A", "5 A", "10 A", "15 A", "16 A", "20 A"}
     assert ten[0][0].name == "mold-star-16"
     far = [row.name for row, _ in choose(600e3, reach=5.0)]
     assert "dragon-skin-30" not in far, "it breaks at 4.64"
@@ -154,7 +156,7 @@ def test_spread_between_laboratories() -> None:
     assert not {"yeoh-yan-2016", "yeoh-elsayed-2014", "mooney-rivlin-steck-2019"} & set(dict(spread.stresses))
     assert spread.deviation == pytest.approx(np.log(values).std(ddof=1))
     assert spread.median == pytest.approx(np.median(values), rel=0.02)
-    assert (len(values), spread.others) == (10, 0)
+    assert (len(values), spread.others) == (11, 0)
     assert "maker" not in dict(spread_of("ecoflex-00-30", 1.5).stresses)
     typical, rubbers = typical_spread()
     assert rubbers >= 5
@@ -186,3 +188,31 @@ def test_a_hardness_may_begin_with_shore_and_something_must_be_wanted() -> None:
     assert [row.name for row, _ in choose(hardness="Shore 10 A")] == [row.name for row, _ in choose(hardness="10 A")]
     with refused("modulus", "hardness", "'10 A'"):
         choose()
+
+
+def test_every_rubber_has_a_set_to_take_and_a_reason() -> None:
+    for row in material_rows():
+        if row.name in RUBBERS:
+            assert row.record, row.name
+            assert row.why, row.name
+
+
+def test_the_reason_names_tests_range_and_the_number_of_the_maker(tmp_path: Path) -> None:
+    """A neo-Hookean law of C10 pulls 3.5 C10 at stretch 2."""
+    own = """name = "ours"\nkind = "rubber"\n[supplier]\nstress_at_stretch_2 = "280 kPa"\nsource = "sheet of 2026"
+[records.first]\nlaw = "neo_hooke"\nparameters = { C10 = "100 kPa" }\nconvention = "two_index"
+stretch_range = [1.0, 2.0]\nsource = "our tests of 2026"\n"""
+    file = tmp_path / "ours.toml"
+    file.write_text(own, encoding="utf-8")
+    reason = "as published, for stretches from 1 to 2; 350 kPa at stretch 2, 25 % above the maker's 280 kPa."
+    assert why_taken(records(str(file))[0]) == f"The only set: {reason}"
+    second = own.partition("[records.first]")[2]
+    file.write_text(f"{own}[records.second]{second}", encoding="utf-8")
+    assert why_taken(records(str(file))[0]) == ""
+
+
+def test_the_text_of_a_material_checks_each_set_against_the_maker() -> None:
+    shown = describe_material("dragon-skin-20")
+    assert "check: 324 kPa at stretch 2, 4 % below the maker's 338 kPa" in shown
+    assert "check" not in describe_material("ecoflex-00-20")  # computed from this number
+    assert "recommended: The only set: fitted by turgor to a curve" in describe_material("mold-star-16")

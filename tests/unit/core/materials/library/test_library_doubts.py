@@ -23,7 +23,9 @@ NEGATIVE_ELSEWHERE, SETTLED = ("M05", "wrong convention negative"), ("M05", "con
 AMBIGUOUS, SECANT, DENSITY = ("M05", "convention ambiguous"), ("M07", "linear elastic rubber"), ("M04", "density")
 
 #: Rubbers whose density has not been checked against the supplier's bulletin.
-DENSITY_UNCHECKED = {"elastosil-m4601", "smooth-sil-950", "ninjaflex-85a", "ninjatek-cheetah"}
+DENSITY_UNCHECKED = {
+    "elastosil-m4601", "smooth-sil-950", "ninjaflex-85a", "ninjatek-cheetah", "polymaker-tpu90", "overture-hs-tpu",
+}  # fmt: skip
 
 #: Every other doubt about records of the review; those that are not here have none.
 EXPECTED = {

@@ -1,4 +1,4 @@
-"""Keys of a table in a file of records: all known, none missing."""
+"""Keys of a table in a file of records or of a job: all known, none missing."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
