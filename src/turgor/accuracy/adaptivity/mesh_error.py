@@ -167,6 +167,8 @@ def why_not(solution: Solution) -> str:
         frictions.append(contact.self_contact.friction)
     if any(frictions):
         return "there is friction, and every state depends on all before it"
+    if any(load.channel is not None for load in solution.model.loads):
+        return "liquid flows through a channel, and every state depends on all before it"
     if solution.model.bonds:
         return f"the bond '{solution.model.bonds[0].name}' is damaged, and every state depends on all before it"
     if solution.model.mesh.cells.shape[1] == 20:

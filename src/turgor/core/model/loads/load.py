@@ -281,6 +281,11 @@ class Load:
         return None
 
     @property
+    def channel(self) -> Any:
+        """The load, if it is a channel between cavities; None of other loads."""
+        return None
+
+    @property
     def liquid(self) -> Any:
         """The load, if it is the weight of a liquid; None of other loads."""
         return None
