@@ -43,7 +43,7 @@ class Channel(Load):
     'Channel between cavity_1 and cavity_2 with a resistance of 2e+09 Pa s/m³.'
     """
 
-    between: tuple[str, str]
+    between: tuple[str, str] = field(metadata={"example": '["cavity_1", "cavity_2"]'})
     resistance: float = field(metadata={"dimension": "flow resistance"})
     history: History = CONSTANT
 
