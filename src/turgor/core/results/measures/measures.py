@@ -317,7 +317,16 @@ def _cavity_volume(at: StateFields) -> float:
 
 
 def _reaction(at: StateFields) -> float:
-    """Sum the forces along the directions in which the supports Fixed, Radial and Roller hold each node."""
+    return float(np.linalg.norm(support_force(at)))
+
+
+def support_force(at: StateFields) -> Array:
+    """Return the force of the supports Fixed, Radial, Roller and Foundation on the whole actuator, (3,) [N].
+
+    Parameters
+    ----------
+    at : StateFields
+    """
     fixed = np.zeros(at.mesh.points.shape, dtype=bool)
     for support in at.model.supports:
         directions = support.prescribed[1]
@@ -331,8 +340,7 @@ def _reaction(at: StateFields) -> float:
     force = np.where(fixed, at.state.nodal_force, 0.0)
     np.add.at(force, nodes, np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across)
     total = force.sum(axis=0) + foundation_force(at.model, at.displacement)
-    whole = at.facts.of_whole(at.mesh.symmetry_factor * total)
-    return float(np.linalg.norm(whole + fixed_points_force(at)))
+    return np.asarray(at.facts.of_whole(at.mesh.symmetry_factor * total) + fixed_points_force(at))
 
 
 bending_angle = Measure(
