@@ -48,6 +48,7 @@ class Channel(Load):
     history: History = CONSTANT
 
     job_key = "channels"
+    acts_at_rest = False
     spread = False
 
     if TYPE_CHECKING:

@@ -58,6 +58,7 @@ class Morison(Load):
     history: History = CONSTANT
 
     job_key = "morison"
+    acts_at_rest = False
 
     if TYPE_CHECKING:
 

@@ -91,9 +91,9 @@ def thrusts(path: Sequence[StateFields], axis: int) -> Array:
         Of a motion.
     axis : int
     """
-    if any(at.state.velocity is None for at in path):
-        raise TurgorError("it is the force of a motion; follow it with the procedure dynamic.")
     cycle = cycle_of(path[-1].model)
+    if any(at.state.velocity is None for at in path[1:]):
+        raise TurgorError("it is the force of a motion; follow it with the procedure dynamic.")
     factors = np.array([at.state.load_factor for at in path])
     force = -np.array([support_force(at)[axis] for at in path])
     sums = np.concatenate([[0.0], np.cumsum((force[1:] + force[:-1]) / 2 * np.diff(factors))])
@@ -109,7 +109,7 @@ def _along(axis: str) -> Measure:
     """Make the measure of the thrust along an axis."""
     number = "xyz".index(axis)
     return Measure(
-        name=f"thrust_{axis}", unit="mN", function=_of_path, along=lambda path: thrusts(path, number),
+        name=f"thrust_{axis}", unit="mN", function=_of_path, along=lambda path: thrusts(path, number), moving=True,
         definition=f"force along {axis} with which a moving actuator pushes its supports, mean over the last cycle of "
         "its loads by the trapezoidal rule, whole actuator",
     )  # fmt: skip
