@@ -138,8 +138,18 @@ def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Me
     fitting = fitting_measures(measured_faces(mesh.faces, mesh.cavities))
     standard = tuple(measures) in ((), STANDARD_MEASURES, fitting)
     own = (*point_measures_of(solution.model), *contact_measures_of(solution), *openings_of(solution.model))
-    requested = (*fitting, *own) if standard else measures
+    requested = (*_with_value(fitting, StateFields(solution.states[0])), *own) if standard else measures
     return _with_parts(requested, mesh)
+
+
+def _with_value(standard: Sequence[Measure], at: StateFields) -> tuple[Measure, ...]:
+    """The standard measures without the bending angle, where the part does not lie in the plane of bending."""
+    try:
+        for face in bending_angle.faces if bending_angle in standard else ():
+            _heading(at, face, at.mesh.points)
+    except TurgorError:
+        return tuple(each for each in standard if each is not bending_angle)
+    return tuple(standard)
 
 
 def fitting_measures(faces: Collection[str]) -> tuple[Measure, ...]:
@@ -173,7 +183,7 @@ def check_measures(model: Model, measures: Sequence[Measure | str]) -> None:
         mean_stress=np.zeros(element_of(model).mean_count), nodal_force=np.zeros_like(mesh.points),
     )  # fmt: skip
     at, fitting = StateFields(rest), fitting_measures(measured_faces(mesh.faces, mesh.cavities))
-    for each in fitting if chosen == STANDARD_MEASURES else chosen:
+    for each in _with_value(fitting, at) if chosen in (STANDARD_MEASURES, fitting) else chosen:
         if each not in OF_ANY_MESH:  # these need no face, and stresses of a whole mesh take seconds
             each.read([at])
 
