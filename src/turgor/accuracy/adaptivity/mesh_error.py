@@ -145,7 +145,8 @@ def _on_second_mesh(
             if state_there is not None:
                 before = transfer.nodal(state.displacement)
                 pairs[number] = state_there
-                moved[number] = float(np.linalg.norm(state_there.displacement - before) / np.linalg.norm(before))
+                change, size = (float(np.linalg.norm(u)) for u in (state_there.displacement - before, before))
+                moved[number] = change / size if size else 0.0  # at rest there is no share
     remaining = _remaining(solution.states[next(iter(pairs))], next(iter(pairs.values()))) if pairs else 0.0
     return PairedStates(pairs, moved, refinement.mesh.unknown_count, remaining, 0.0)
 
