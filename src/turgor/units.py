@@ -116,6 +116,12 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
                 **{"L/(s bar)": 1e-8, "L/(min bar)": 1e-8 / 60},
             }
         ),
+        "flow resistance": MappingProxyType(
+            {
+                **{"Pa s/m³": 1.0, "Pa s/m3": 1.0, "Pa·s/m³": 1.0, "Pa s/mL": 1e6, "kPa s/mL": 1e9},
+                **{"kPa min/mL": 6e10, "kPa s/L": 1e6, "mbar s/mL": 1e8, "bar s/L": 1e8},
+            }
+        ),
         "frequency": MappingProxyType({"Hz": 1.0, "kHz": 1e3}),
         "temperature": MappingProxyType({"K": 1.0, "°C": 1.0, "degC": 1.0}),
         "share": MappingProxyType({"1": 1.0, "%": 0.01}),
@@ -150,6 +156,7 @@ EXAMPLES: Mapping[str, str] = MappingProxyType(
         "inertia": "2 kg mm²",
         "contact stiffness": "10 MPa/mm",
         "conductance": "0.5 dm³/(s bar)",
+        "flow resistance": "2 kPa s/mL",
         "frequency": "20 Hz",
         "temperature": "20 °C",
         "share": "0.3 %",

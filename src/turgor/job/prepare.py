@@ -49,7 +49,11 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     model = model_of(job, mesh)
     model_to_solve = with_setup(model, job.setup, say)
     early = check_before_solve(model_to_solve, job.procedure)
-    check_measures(questions(model_to_solve, job.procedure)[0], [find_measure(name) for name in job.output.measures])
+    measures = [find_measure(name) for name in job.output.measures]
+    for each in measures:
+        if each.moving and not all(part.has_energies for part in job.procedure.parts()):
+            raise TurgorError(f"output.measures: '{each.name}' needs a motion; take the procedure dynamic.")
+    check_measures(questions(model_to_solve, job.procedure)[0], measures)
     if job.output.markers:
         from turgor.core.results.measures.markers import check_markers  # here: it loads the engine
 

@@ -74,6 +74,9 @@ if TYPE_CHECKING:
     from turgor.core.results.measures.tearing_measures import log_cycles_to_tear as log_cycles_to_tear
     from turgor.core.results.measures.tearing_measures import strength_share as strength_share
     from turgor.core.results.measures.tearing_measures import tearing_energy as tearing_energy
+    from turgor.core.results.measures.work.thrust_measures import thrust_x as thrust_x
+    from turgor.core.results.measures.work.thrust_measures import thrust_y as thrust_y
+    from turgor.core.results.measures.work.thrust_measures import thrust_z as thrust_z
     from turgor.core.results.measures.work.work_measures import efficiency as efficiency
     from turgor.core.results.measures.work.work_measures import fluid_work as fluid_work
     from turgor.core.results.measures.work.work_measures import injected_volume as injected_volume

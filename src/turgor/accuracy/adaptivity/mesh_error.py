@@ -152,8 +152,8 @@ def _on_second_mesh(
                 before = transfer.nodal(state.displacement)
                 pairs[number] = state_there
                 share = 1.0 if len(state.model.mesh.cells) else MESH_ERROR.folds
-                apart = float(np.linalg.norm(state_there.displacement - before))
-                moved[number] = share * apart / float(np.linalg.norm(before))
+                change, size = (float(np.linalg.norm(u)) for u in (state_there.displacement - before, before))
+                moved[number] = share * change / size if size else 0.0  # at rest there is no share
     remaining = _remaining(solution.states[next(iter(pairs))], next(iter(pairs.values()))) if pairs else 0.0
     return PairedStates(pairs, moved, refinement.mesh.unknown_count, remaining, 0.0)
 
@@ -177,6 +177,8 @@ def why_not(solution: Solution) -> str:
         frictions.append(contact.self_contact.friction)
     if any(frictions):
         return "there is friction, and every state depends on all before it"
+    if any(load.channel is not None for load in solution.model.loads):
+        return "liquid flows through a channel, and every state depends on all before it"
     if solution.model.bonds:
         return f"the bond '{solution.model.bonds[0].name}' is damaged, and every state depends on all before it"
     if solution.model.mesh.cells.shape[1] == 20:

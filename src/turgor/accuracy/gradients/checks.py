@@ -66,6 +66,8 @@ def depends_on_history(solution: Solution, state: State) -> str:
         )
     if any(m.permanent_set for m in _rubbers(state)):
         return "the rubber keeps a set, and every state depends on the stress before it; leave permanent_set out"
+    if any(load.channel is not None for load in state.model.loads):
+        return "liquid flows through a channel, and every state depends on all before it; leave the channel out"
     if has_friction(state):
         return "there is friction, and every state depends on all before it; set friction to 0"
     if state.model.bonds:

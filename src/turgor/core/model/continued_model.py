@@ -184,8 +184,8 @@ def _pressure(face: str, old: float, new: Pressure | None) -> Pressure:
 
 
 def starting_loads(model: Model) -> tuple[Load, ...]:
-    """Return the loads whose share at load factor 0 is not zero."""
-    return tuple(load for load in model.loads if starts(load.history))
+    """Return the loads whose share at load factor 0 is not zero, and that act on a body at rest."""
+    return tuple(load for load in model.loads if load.acts_at_rest and starts(load.history))
 
 
 def at_start(model: Model) -> Model | None:
@@ -205,5 +205,5 @@ def at_start(model: Model) -> Model | None:
     present = starting_loads(model)
     if not present:
         return None
-    bare = replace(model, loads=tuple(load for load in model.loads if load not in present))
+    bare = replace(model, loads=tuple(load for load in model.loads if load not in present and load.acts_at_rest))
     return continued(bare, (0.0, {}), [with_history(load, ((0.0, 0.0), (1.0, load.share(0.0)))) for load in present])

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from turgor.core.model.continued_model import continued, movable, with_loads
 from turgor.core.model.drive import pressures_at
-from turgor.core.model.loads import pressures_among
+from turgor.core.model.loads import Load, pressures_among
+from turgor.core.model.loads.channel import closed_cavities
 from turgor.core.model.model import Model
 from turgor.core.solvers.listeners import Listeners
 from turgor.core.solvers.pressures import pressures_of
@@ -105,12 +106,17 @@ def _question(model: Model, stage: Stage, last: _End | None) -> Model:
         return with_loads(model, stage.loads, stage.displacements, stage.moves)
     pressures = dict(last.pressures)
     stated = {load.face for load in pressures_among(stage.loads)}
-    for name in stage.procedure.filled(last.model):
+    closed = closed_cavities([*_but_pressures(last.model.loads), *stage.loads])
+    for name in (*stage.procedure.filled(last.model), *closed):
         if name not in stated:
             pressures.pop(name, None)  # it is unknown from here on
     acting = (last.load_factor, pressures)
     loads = [load.begun(last.displacement) for load in stage.loads]
     return continued(last.model, acting, loads, stage.displacements, stage.moves)
+
+
+def _but_pressures(loads: Sequence[Load]) -> list[Load]:
+    return [load for load in loads if load not in pressures_among(loads)]
 
 
 def _within(stage: Stage, listeners: Listeners) -> Listeners:

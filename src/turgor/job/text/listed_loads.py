@@ -220,7 +220,11 @@ def _type_of(item: Field[Any]) -> Any:
     if item.type == Vector:
         return Annotated[Any, three(dimension), says_three(dimension)]
     if item.type == tuple[str, str]:
-        return Annotated[list[str], pydantic.Field(min_length=2, max_length=2), Says("two texts", _TWO_FACES)]
+        return Annotated[
+            list[str],
+            pydantic.Field(min_length=2, max_length=2),
+            Says("two texts", item.metadata.get("example", _TWO_FACES)),
+        ]
     return Annotated[float, BeforeValidator(partial(parse_quantity, dimension=dimension))] if dimension else item.type
 
 

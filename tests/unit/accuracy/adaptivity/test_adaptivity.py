@@ -306,3 +306,12 @@ def test_threads_that_go_slack_do_not_make_the_estimate_dear(monkeypatch):
     estimate = mesh_error_of(solution, (tg.measures.twist_angle,))
     assert estimate.errors["twist_angle"][-1] == pytest.approx(np.radians(0.17), rel=0.3)
     assert 1 < len(made) <= solution.timing.factorizations / 3
+
+
+@pytest.mark.filterwarnings("error::RuntimeWarning")
+def test_a_body_that_stays_at_rest_has_moved_by_no_share():
+    mesh = tg.mesh(tg.FastPneuNet(chambers=1, length=10 * mm).build(), size=6 * mm)
+    model = tg.Model(mesh, {"body": SOFT, "base": STIFF}, [tg.Fixed("fixed")], [tg.Pressure("cavity", 0.0)])
+    still = tg.solve(model, tg.Static(first_step=1.0, max_step=1.0))
+    paired = find_again(still, tg.EngineOptions(threads=1))
+    assert set(paired.moved.values()) == {0.0}

@@ -21,7 +21,7 @@ from turgor.core.meshing.quality.proximity import find_facing_walls, smallest_ga
 from turgor.core.meshing.surface import check_surface
 from turgor.core.model.contact import Contact
 from turgor.core.model.drive import common_pressure, drive_text, kinks, pressed_together, pressures_at
-from turgor.core.model.loads import Gravity, Load, Pressure
+from turgor.core.model.loads import Channel, Gravity, Load, Pressure
 from turgor.core.model.model import Model
 from turgor.core.model.supports import Fixed
 from turgor.core.results.files.vtu import write_series
@@ -260,6 +260,8 @@ def test_a_cavity_without_pressure_is_noted(twin: Mesh) -> None:
     assert str(result).startswith("B03 note: No pressure is stated for cavity_2: it stays open to the air, at 0 kPa.")
     assert unloaded_cavities(model(twin)) == ()
     assert unloaded_cavities(model(twin, Pressure("cavity_1", 1 * kPa), Pressure("cavity_2", 0.0))) == ()
+    channel = Channel(between=("cavity_1", "cavity_2"), resistance=1e9)
+    assert unloaded_cavities(model(twin, Pressure("cavity_1", 1 * kPa), channel)) == ()
 
 
 def test_which_cavities_can_be_pressed_together(twin: Mesh) -> None:

@@ -181,6 +181,20 @@ def test_standard_measures_are_those_that_the_part_has():
     assert {"von_mises_p99", "reaction"} <= set(names)
 
 
+def test_a_part_along_another_axis_has_no_bending_angle_unless_it_is_requested():
+    mesh, rubber = cases.body(hollow=False), {"body": cases.RUBBER, "base": cases.RUBBER}
+    across = replace(mesh, points=mesh.points @ np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]]))  # along y
+    model = Model(across, rubber, [Fixed("fixed")], [])
+    check_measures(model, measures.STANDARD_MEASURES)
+    check_measures(model, measures.fitting_measures(across.faces))  # those that a job takes by itself
+    names = measure(cases.solution([cases.state(model, load_factor=0), cases.state(model)])).names
+    assert "bending_angle" not in names and "tip_displacement" in names
+    with refused("bending_angle", "x-z plane"):
+        check_measures(model, ["bending_angle"])
+    along = Model(mesh, rubber, [Fixed("fixed")], [])
+    assert "bending_angle" in measure(cases.solution([cases.state(along)])).names
+
+
 def test_standard_measures_and_fields_computed_once_a_state(monkeypatch):
     model = cases.model(cases.body(half=True))
     calls = []

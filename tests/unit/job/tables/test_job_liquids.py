@@ -1,11 +1,13 @@
 """Liquids and motion in water in job files: read, written into the lock file, refused."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 import results_cases as cases
 
 from refused import any_states, refused
+from turgor.core.model.continued_model import at_start
 from turgor.core.model.loads import HydrostaticPressure, Load, Morison, Pressure
 from turgor.core.model.model import Model
 from turgor.core.solvers.checks.early_findings import early_findings
@@ -110,3 +112,35 @@ def test_water_that_acts_in_motion_only_needs_a_motion() -> None:
     assert severities(Static(), moving, Pressure("cavity", 1e3)) == [Severity.NOTE]
     assert severities(Static(), Pressure("cavity", 1e3)) == []
     assert severities(Dynamic(duration=1.0), moving) == []
+
+
+def test_water_that_acts_in_motion_only_has_no_state_of_its_own_at_the_start() -> None:
+    moving = Morison(face="outside", density=1000, axis=(1, 0, 0))
+    weight = HydrostaticPressure(face="cavity", density=1000, level=0, history="constant")
+    materials = {"body": cases.RUBBER, "base": cases.RUBBER}
+    assert at_start(Model(cases.body(), materials, "fixed", [moving])) is None
+    before = at_start(Model(cases.body(), materials, "fixed", [moving, weight]))
+    assert before is not None and [load.kind for load in before.loads] == [weight.kind]
+
+
+@pytest.mark.parametrize(
+    ("face", "facts"),
+    [
+        ("cavity", ["'cavity'", "loads.liquids", "'outside'"]),
+        ("tip", ["'tip'", "across", "'outside'"]),
+        ("fixed", ["'fixed'", "across", "'outside'"]),
+        ("bottom", ["'bottom'", "one side", "'outside'"]),
+    ],
+)
+def test_water_goes_around_a_body(face: str, facts: list[str]) -> None:
+    mesh = cases.body()
+    sides = mesh.face("outside")
+    lowest = mesh.points[sides, 2].max(axis=1) <= mesh.points[:, 2].min() + 1e-9
+    mesh = replace(mesh, faces={**mesh.faces, "bottom": sides[lowest]})
+    with refused("morison", *facts):
+        Model(
+            mesh,
+            {"body": cases.RUBBER, "base": cases.RUBBER},
+            "fixed",
+            [Morison(face=face, density=1000, axis=(1, 0, 0))],
+        )

@@ -143,6 +143,8 @@ class Load:
     job_key: ClassVar[str] = ""
     #: Whether the load is a state of bodies and pulls at nothing.
     of_bodies: ClassVar[bool] = False
+    #: Whether it acts on a body at rest; if not, it is no load that has an equilibrium of its own at the start.
+    acts_at_rest: ClassVar[bool] = True
     #: Whether its face may be a `NodesAt` or the name of a node set.
     at_places: ClassVar[bool] = False
     #: Whether the load needs the density of every region.
@@ -283,6 +285,11 @@ class Load:
     @property
     def cable(self) -> Any:
         """The load, if it is a cable through guides; None of other loads."""
+        return None
+
+    @property
+    def channel(self) -> Any:
+        """The load, if it is a channel between cavities; None of other loads."""
         return None
 
     @property

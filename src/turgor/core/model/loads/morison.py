@@ -1,9 +1,13 @@
 """Morison: added mass and drag of a slender body in a liquid, by strip theory."""
 
+from collections.abc import Container
 from dataclasses import dataclass, field
 from math import isfinite
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import CONSTANT, History, checked
 from turgor.core.model.history_text import shares_text
 from turgor.core.model.loads.gravity import fall_direction
@@ -11,6 +15,25 @@ from turgor.core.model.loads.load import Load
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.given import Quantities, Quantity, number
 from turgor.foundation.given import name as name_of
+
+
+@dataclass(frozen=True, slots=True)
+class SurroundingSettings:
+    """Settings of the check that a face surrounds a body, as shares of its area.
+
+    Parameters
+    ----------
+    across : float
+        A face with less area across the axis is the end of a body, round-off and a little taper included.
+    one_sided : float
+        Vector area across the axis, over the area: 0 around a body, 1 of one flat side, a third without one of four.
+    """
+
+    across: float = 0.05
+    one_sided: float = 0.5
+
+
+SURROUNDING = SurroundingSettings()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,6 +81,7 @@ class Morison(Load):
     history: History = CONSTANT
 
     job_key = "morison"
+    acts_at_rest = False
 
     if TYPE_CHECKING:
 
@@ -81,6 +105,28 @@ class Morison(Load):
             object.__setattr__(self, key, value)
         object.__setattr__(self, "axis", fall_direction(self.axis, subject))
         object.__setattr__(self, "history", checked(self.history, subject, starting=True))
+
+    def check(self, mesh: Mesh, points: Container[str]) -> None:
+        """Refuse cavities, and faces that lie across the axis or on one side of the body."""
+        Load.check(self, mesh, points)
+        around = f"name the face around it, such as 'outside' ({', '.join(mesh.faces)} are there)"
+        subject = f"morison: '{self.face}'"
+        if self.face in mesh.cavities:
+            raise TurgorError(
+                f"{subject} is a cavity, whose liquid moves with its walls: state it as [[loads.liquids]]; for the "
+                f"liquid around the body {around}."
+            )
+        corners = mesh.points[mesh.face(self.face)[:, :3]]
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        axis = np.array(self.axis) / np.linalg.norm(self.axis)
+        across = normals - (normals @ axis)[:, None] * axis
+        width = float(np.linalg.norm(across, axis=1).sum())
+        if width < SURROUNDING.across * float(np.linalg.norm(normals, axis=1).sum()):
+            raise TurgorError(f"{subject} lies across the axis of the body and does not surround it; {around}.")
+        total = across.sum(axis=0)
+        total[[number for number, _ in mesh.mirror_planes]] = 0.0
+        if mesh.wedge is None and float(np.linalg.norm(total)) > SURROUNDING.one_sided * width:
+            raise TurgorError(f"{subject} lies on one side of the body and does not surround it; {around}.")
 
     def text(self) -> str:
         """Return the sentence of a report."""

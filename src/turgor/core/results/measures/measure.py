@@ -38,6 +38,8 @@ class Measure:
     local : bool
         Whether it is a stress or a stretch at points, whose mesh error falls more slowly than that of displacements and
         volumes as cells get smaller.
+    moving : bool
+        Whether it needs a motion, so that paths of equilibria have no such number.
 
     Examples
     --------
@@ -55,6 +57,7 @@ class Measure:
     faces: tuple[str, ...] = ()
     along: Callable[[Sequence[StateFields]], NDArray[np.float64]] | None = None
     local: bool = False
+    moving: bool = False
 
     def __post_init__(self) -> None:
         Column(self.name, self.unit, np.empty(0))  # its checks are the checks of a column

@@ -138,8 +138,18 @@ def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Me
     fitting = fitting_measures(measured_faces(mesh.faces, mesh.cavities))
     standard = tuple(measures) in ((), STANDARD_MEASURES, fitting)
     own = (*point_measures_of(solution.model), *contact_measures_of(solution), *openings_of(solution.model))
-    requested = (*fitting, *own) if standard else measures
+    requested = (*_with_value(fitting, StateFields(solution.states[0])), *own) if standard else measures
     return _with_parts(requested, mesh)
+
+
+def _with_value(standard: Sequence[Measure], at: StateFields) -> tuple[Measure, ...]:
+    """The standard measures without the bending angle, where the part does not lie in the plane of bending."""
+    try:
+        for face in bending_angle.faces if bending_angle in standard else ():
+            _heading(at, face, at.mesh.points)
+    except TurgorError:
+        return tuple(each for each in standard if each is not bending_angle)
+    return tuple(standard)
 
 
 def fitting_measures(faces: Collection[str]) -> tuple[Measure, ...]:
@@ -173,7 +183,7 @@ def check_measures(model: Model, measures: Sequence[Measure | str]) -> None:
         mean_stress=np.zeros(element_of(model).mean_count), nodal_force=np.zeros_like(mesh.points),
     )  # fmt: skip
     at, fitting = StateFields(rest), fitting_measures(measured_faces(mesh.faces, mesh.cavities))
-    for each in fitting if chosen == STANDARD_MEASURES else chosen:
+    for each in _with_value(fitting, at) if chosen in (STANDARD_MEASURES, fitting) else chosen:
         if each not in OF_ANY_MESH:  # these need no face, and stresses of a whole mesh take seconds
             each.read([at])
 
@@ -317,7 +327,16 @@ def _cavity_volume(at: StateFields) -> float:
 
 
 def _reaction(at: StateFields) -> float:
-    """Sum the forces along the directions in which the supports Fixed, Radial and Roller hold each node."""
+    return float(np.linalg.norm(support_force(at)))
+
+
+def support_force(at: StateFields) -> Array:
+    """Return the force of the supports Fixed, Radial, Roller and Foundation on the whole actuator, (3,) [N].
+
+    Parameters
+    ----------
+    at : StateFields
+    """
     fixed = np.zeros(at.mesh.points.shape, dtype=bool)
     for support in at.model.supports:
         directions = support.prescribed[1]
@@ -331,8 +350,7 @@ def _reaction(at: StateFields) -> float:
     force = np.where(fixed, at.state.nodal_force, 0.0)
     np.add.at(force, nodes, np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across)
     total = force.sum(axis=0) + foundation_force(at.model, at.displacement)
-    whole = at.facts.of_whole(at.mesh.symmetry_factor * total)
-    return float(np.linalg.norm(whole + fixed_points_force(at)))
+    return np.asarray(at.facts.of_whole(at.mesh.symmetry_factor * total) + fixed_points_force(at))
 
 
 bending_angle = Measure(

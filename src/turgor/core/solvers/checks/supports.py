@@ -11,6 +11,7 @@ from turgor.core.engine.points.point_unknowns import with_carrier_points
 from turgor.core.meshing.bodies.bodies import Body, find_bodies
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
+from turgor.core.model.loads.channel import closed_cavities
 from turgor.core.model.model import Model
 from turgor.core.model.supports import Fixed
 from turgor.foundation.errors import CheckError
@@ -220,9 +221,10 @@ def _sides(mesh: Mesh, faces: Iterable[str]) -> NDArray[np.int64]:
 
 
 def unloaded_cavities(model: Model) -> tuple[Finding, ...]:
-    """Say which cavities have no pressure of their own while others have one (B03)."""
+    """Say which cavities have no pressure of their own, nor a channel, while others have one (B03)."""
     loaded = {load.face for load in model.pressures}
-    empty = [name for name in model.mesh.cavities if name not in loaded]
+    closed = closed_cavities(model.loads)
+    empty = [name for name in model.mesh.cavities if name not in (*loaded, *closed)]
     if not empty or len(empty) == len(model.mesh.cavities):
         return ()
     return (

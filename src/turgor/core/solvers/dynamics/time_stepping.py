@@ -20,8 +20,8 @@ from turgor.core.engine.system import Evaluation, System
 from turgor.core.model.drive import kinks
 from turgor.core.solvers.checkpoints.loop import Loop
 from turgor.core.solvers.constraints.constraint import Constraint
-from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.continuation.path_follower import step_loop
+from turgor.core.solvers.dynamics.closed_cavities import ClosedCavities
 from turgor.core.solvers.dynamics.contact_work import Pushing, pushing, taken_by_friction, work_of_contacts
 from turgor.core.solvers.dynamics.generalized_alpha import Motion, TimeStep, Weights
 from turgor.core.solvers.dynamics.initial_motion import Accelerations
@@ -54,6 +54,7 @@ class _Run:
     control: TimeControl
     mass: Array
     bodies: SlenderBodies
+    cavities: ClosedCavities
     moving: Array
     motion: Motion
     at: Evaluation
@@ -91,7 +92,8 @@ def _begin(problem: Problem, procedure: TimeOptions) -> _Run:
     system = problem.system
     unknowns, velocity = _restarted(system, problem.start)
     history = system.history(problem.memory)  # a sudden step
-    at = system.evaluate(unknowns, 0.0, history=history)
+    cavities = ClosedCavities.of(system, procedure, unknowns, problem.restart)
+    at = system.evaluate(unknowns, 0.0, cavities.acting, history=history)
     if at is None:
         raise TurgorError("the start turns a cell inside out; it is no state of this model.")
     mass = mass_data(system)
@@ -114,7 +116,7 @@ def _begin(problem: Problem, procedure: TimeOptions) -> _Run:
     strain = stored_energy(system, unknowns, at.load_factor, history) + contact_energy(system, at)
     run = _Run(
         problem=problem, procedure=procedure, control=TimeControl.of(procedure, kinks(system.model)),
-        mass=mass, bodies=bodies, moving=moving, at=at, pushed=pushing(system, at), damping=damping,
+        mass=mass, bodies=bodies, cavities=cavities, moving=moving, at=at, pushed=pushing(system, at), damping=damping,
         motion=Motion(unknowns + stress, velocity, acceleration, acceleration),
         energies=Energies(kinetic=kinetic, strain=strain, dissipated=0.0, work=kinetic + strain),
         internal=at.residual + at.external, memory=history.memory, largest=_largest(system, unknowns),
@@ -151,7 +153,7 @@ def _advance(run: _Run) -> Outcome | None:
     rule = TimeStep(run.weights, run.motion, time - run.time, run.moving)
     damping = [*_damping(run, rule), *run.bodies.of_step(rule, time / procedure.duration)]
     acting = Together([_inertia(run, rule), *damping])
-    constraint = load_control(system, history=system.history(run.memory, rule.length), addition=acting)
+    constraint = run.cavities.constraint(system.history(run.memory, rule.length), acting)
     result = _equilibrium(run, constraint, rule, time / procedure.duration)
     accepted, reason = result.converged, result.reason
     following: TimeControl | None = run.control
@@ -204,17 +206,12 @@ def _equilibrium(run: _Run, constraint: Constraint, rule: TimeStep, load_factor:
     report = run.problem.listeners.reporter(len(run.problem.steps) + 1, load_factor)
     predicted = _prediction(run, constraint, rule, load_factor)
     stresses = system.stresses(run.at, predicted - run.at.unknowns)
-    fresh = abs(rule.length / run.factored - 1) > TIME_STEPPING.same_length if run.factored else True
+    other = abs(rule.length / run.factored - 1) > TIME_STEPPING.same_length if run.factored else True
+    pressures = run.cavities.pressures  # their border needs factors of its own
+    start = Start(predicted, stresses, pressures, fresh=other or bool(len(pressures)))
     run.factored = rule.length
     settings = NewtonSettings(tolerance=procedure.tolerance, max_iterations=procedure.max_iterations)
-    return newton_with_contact(
-        constraint,
-        run.problem.tangent,
-        Start(predicted, stresses, fresh=fresh),
-        load_factor,
-        settings,
-        report,
-    )
+    return newton_with_contact(constraint, run.problem.tangent, start, load_factor, settings, report)
 
 
 def _prediction(run: _Run, constraint: Constraint, rule: TimeStep, load_factor: float) -> Array:
@@ -222,12 +219,12 @@ def _prediction(run: _Run, constraint: Constraint, rule: TimeStep, load_factor: 
     system, here = run.system, run.motion.unknowns
     predicted = rule.prediction()
     predicted[system.prescribed] = here[system.prescribed]  # Newton moves the supports
-    ahead = constraint.evaluate(predicted, load_factor, np.empty(0))
+    ahead = constraint.evaluate(predicted, load_factor, run.cavities.pressures)
     if ahead is None:
         return here
     if not system.remembers:
         return predicted
-    still = constraint.evaluate(here, load_factor, np.empty(0))
+    still = constraint.evaluate(here, load_factor, run.cavities.pressures)
     stays = still is not None and relative_residual(system, still) < relative_residual(system, ahead)
     return here if stays else predicted
 
@@ -249,6 +246,7 @@ def _accept(
     run.internal = internal
     run.motion, run.at, run.pushed, run.damping, run.time = motion, at, pushed, forces, time
     run.largest = max(run.largest, _largest(run.system, at.unknowns))
+    run.cavities = run.cavities.onward(time / run.procedure.duration, at.unknowns, result.scalars)
     run.accepted += 1
     state, procedure, states = _state(run), run.procedure, run.problem.states
     run.memory = state.memory

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.model.model import Model
+from turgor.core.solvers.procedures.channel_flow import refuse_channels
 from turgor.core.solvers.procedures.step_options import StepOptions
 from turgor.foundation.errors import TurgorError, unknown
 
@@ -78,6 +79,7 @@ class CavityProcedure(StepOptions):
         from turgor.core.meshing.openings import torn_rims  # few jobs need it
         from turgor.core.meshing.surface import outer_triangles, rim_edges
 
+        refuse_channels(model, type(self).__name__)
         field, names = self.requested_field, self.filled(model)
         for name in names:
             if any(load.face == name for load in model.pressures):

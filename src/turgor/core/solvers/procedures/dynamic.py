@@ -6,6 +6,7 @@ from typing import Any
 
 from turgor.core.model.model import Model
 from turgor.core.solvers.energies import unbalanced
+from turgor.core.solvers.procedures.channel_flow import channel_target, closed_by_channels
 from turgor.core.solvers.procedures.time_options import TimeOptions
 from turgor.foundation.finding import Finding
 
@@ -69,6 +70,14 @@ class Dynamic(TimeOptions):
         from turgor.core.solvers.dynamics.time_stepping import follow_motion  # few jobs need it
 
         return follow_motion(problem, self)
+
+    def controlled(self, model: Model) -> tuple[str, ...]:
+        """Name the cavities into which liquid flows through channels."""
+        return closed_by_channels(model, self.duration)
+
+    def target(self, chambers: Any, volumes: Any, pressures: Any) -> Any:
+        """Each cavity grows by what flows in."""
+        return channel_target(chambers, volumes, self.duration)
 
     def may_be_free(self, model: Model) -> bool:
         """Inertia resists rigid motions."""

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
 from turgor.core.model.model import Model
+from turgor.core.solvers.procedures.channel_flow import refuse_channels
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
 
@@ -76,6 +77,7 @@ class Procedure:
 
     def controlled(self, model: Model) -> tuple[str, ...]:
         """Name the cavities whose pressure is unknown, after a check that it can be found."""
+        refuse_channels(model, type(self).__name__)
         return ()
 
     def target(self, chambers: Any, volumes: Any, pressures: Any) -> Any:

@@ -58,7 +58,7 @@ class Stage:
             raise TurgorError("a stage has no name; a word is needed, such as 'fill'.")
         object.__setattr__(self, "loads", tuple(self.loads))
         for load in self.loads:
-            if starts(load.history):
+            if load.acts_at_rest and starts(load.history):
                 raise TurgorError(
                     f"stage '{self.name}': the history of {load.label} begins with {load.share(0.0):g}; within a stage "
                     "a load goes from what it was, so begin with 0."

@@ -3,6 +3,8 @@
 from dataclasses import dataclass, field
 from typing import Any
 
+from turgor.core.model.model import Model
+from turgor.core.solvers.procedures.channel_flow import channel_target, closed_by_channels
 from turgor.core.solvers.procedures.step_options import StepOptions
 
 
@@ -42,7 +44,20 @@ class Static(StepOptions):
     duration: float | None = field(default=None, metadata={"dimension": "time"})
 
     def follow(self, problem: Any) -> Any:
-        """Step the load factor."""
+        """Step the load factor, and seek the pressures of cavities at channels."""
+        if problem.system.controlled:
+            from turgor.core.solvers.continuation.scalar_control.cavity_control import follow_cavities
+
+            return follow_cavities(problem, self)
         from turgor.core.solvers.continuation.load_control import follow_load  # here: it needs the engine
 
         return follow_load(problem, self)
+
+    def controlled(self, model: Model) -> tuple[str, ...]:
+        """Name the cavities into which liquid flows through channels."""
+        return closed_by_channels(model, self.duration)
+
+    def target(self, chambers: Any, volumes: Any, pressures: Any) -> Any:
+        """Each cavity grows by what flows in."""
+        assert self.duration is not None
+        return channel_target(chambers, volumes, self.duration)

@@ -11,7 +11,7 @@ from turgor.core.solvers.constraints.cavities import CavityPressures
 from turgor.core.solvers.constraints.clock import Clock
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.continuation.path_follower import follow
-from turgor.core.solvers.continuation.path_points import begin
+from turgor.core.solvers.continuation.path_points import begin, nothing
 from turgor.core.solvers.continuation.path_run import Ending, Point, Run
 from turgor.core.solvers.continuation.scalar_control.scalar_path import Goal, scalar_run
 from turgor.core.solvers.continuation.step_control import StepControl
@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 
 
 def follow_cavities(problem: Problem, procedure: StepOptions) -> Outcome:
-    """Find the pressures of the cavities for which a procedure prescribes a value."""
+    """Find the pressures of the cavities for which a procedure prescribes a value, or to which channels lead."""
     system, restart = problem.system, problem.restart
     chambers, start = Chambers(system, system.controlled), unknowns_of(system, problem.start)
     pressures = np.zeros(len(chambers)) if restart is None else restart.pressures(system)
@@ -33,7 +33,7 @@ def follow_cavities(problem: Problem, procedure: StepOptions) -> Outcome:
     target = procedure.target(chambers, volumes, pressures)
     constraint = Constraint.of(CavityPressures(system), target, Clock(procedure.duration), problem.history)
     goal = Goal(
-        _driven(procedure, procedure.amounts(chambers, volumes), system.controlled),
+        _driven(procedure, procedure.amounts(chambers, volumes), system.controlled) if procedure.drive else nothing,
         _at_the_end,
         tuple(sorted({*kinks(system.model), *procedure.turns})),
         limit_points=bool(any(requested.values()) if isinstance(requested, Mapping) else requested),
