@@ -189,7 +189,7 @@ def _read(
     points = rigs_of(actuator, read_points(given["points"], geometry, loads, timed, problems))
     around = Around(geometry, materials, supports, contact, loads, _moves(given["obstacles"]))
     setup, procedure = _read_path(given, around, problems)
-    output = read_output(given["output"], geometry, setup, problems, bool(supports) or not isinstance(actuator, Assembly))
+    output = read_output(given["output"], geometry, setup, problems)
     threads = read_engine(given["engine"], problems)
     if problems.entries or actuator is None or mesh is None or procedure is None or output is None:
         return None

@@ -18,10 +18,11 @@ from turgor.core.meshing.bodies.assembly import JOINT, SURFACE, Assembly, Placed
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.quality.cell_quality import cell_volumes
 from turgor.core.model.points import ReferencePoint
+from turgor.core.solvers.checks.plausibility.of_materials import RIGID_BODY
 from turgor.foundation.errors import near_match
 from turgor.foundation.source import Source
 from turgor.job.job import ACTUATORS, Actuator
-from turgor.job.tables.bodies_settings import RIGID_BODY
+from turgor.job.tables.bodies_settings import FILLING
 from turgor.job.tables.cad import CAD_FILE, read_cad_file
 from turgor.job.tables.mesh_files import MESH_FILE, read_mesh_file
 from turgor.job.tables.obstacles import Angles, Lengths
@@ -264,9 +265,9 @@ def rigid_materials(actuator: Any, geometry: Geometry | None) -> dict[str, Mater
         cuts = sum(bool(np.isin(mesh.face_nodes(plane), nodes).any()) for plane in mesh.symmetry_faces)
         volume = 2**cuts * float(cell_volumes(mesh)[rows].sum())
         filling = Material(
-            name="rigid body",
-            law=NeoHooke(C10=RIGID_BODY.modulus / 2),
-            bulk_modulus=RIGID_BODY.bulk_ratio * RIGID_BODY.modulus,
+            name=RIGID_BODY,
+            law=NeoHooke(C10=FILLING.modulus / 2),
+            bulk_modulus=FILLING.bulk_ratio * FILLING.modulus,
             density=mass / volume,
             source=Source(text="chosen by turgor for the inside of a rigid body, which does not deform"),
         )

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class RigidBodySettings:
+class FillingSettings:
     """What fills a rigid body.
 
     Parameters
@@ -21,4 +21,4 @@ class RigidBodySettings:
     bulk_ratio: float = 20.0
 
 
-RIGID_BODY = RigidBodySettings()
+FILLING = FillingSettings()

@@ -70,12 +70,10 @@ def _marker(name: str, point: Sequence[float]) -> None:
     marker(name, point)
 
 
-def read_output(
-    values: Any, geometry: Geometry | None, setup: Setup | None, problems: Problems, supported: bool = True
-) -> Output | None:
+def read_output(values: Any, geometry: Geometry | None, setup: Setup | None, problems: Problems) -> Output | None:
     """Read ``[output]``: which measures, by default those that the part has, and what else to write.
 
-    To measures that are listed come those that the setup is for. Without supports there is no reaction.
+    To measures that are listed come those that the setup is for.
     """
     key = ("output",)
     table = read_table(OutputTable, values, key, problems)
@@ -91,7 +89,6 @@ def read_output(
     if not measures or setup is not None:
         faces = None if geometry is None else measured_faces(geometry.faces, geometry.cavities)
         standard = standard_measures(faces)  # what a procedure is for joins them by itself
-        standard = standard if supported else tuple(name for name in standard if name != "reaction")
         own = () if setup is None or measures in ((), standard) else setup.measures
         measures = tuple(dict.fromkeys((*(measures or standard), *own)))
     return Output(

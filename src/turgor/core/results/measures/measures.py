@@ -326,7 +326,8 @@ def _reaction(at: StateFields) -> float:
             for direction in directions:
                 fixed[nodes, "xyz".index(direction)] = True
     nodes, across = across_fixed(*radial_normals(at.model, moved=False), fixed)
-    if not fixed.any() and not len(nodes) and not any(any(support.bedding) for support in at.model.supports):
+    supported = fixed.any() or len(nodes) or any(any(support.bedding) for support in at.model.supports)
+    if not supported and not at.model.points:  # what is loose has points
         raise TurgorError("the model has no support Fixed, Radial, Roller or Foundation whose force could be summed.")
     force = np.where(fixed, at.state.nodal_force, 0.0)
     np.add.at(force, nodes, np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across)
