@@ -13,7 +13,6 @@ from turgor.core.meshing.bodies.combine import combined
 from turgor.core.meshing.bodies.placing import placed
 from turgor.core.meshing.default_settings import chosen_cells
 from turgor.core.meshing.exchange.mesh_file import MeshedShape, meshed_geometry
-from turgor.core.meshing.generate import mesh_with
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.surface import outer_triangles
@@ -186,6 +185,8 @@ class Assembly:
 
     def _meshes(self, shapes: Mapping[str, Geometry]) -> dict[str, Mesh]:
         """Mesh each part once, all with the same kind of cells."""
+        from turgor.core.meshing.generate import mesh_with  # here: it loads all ways to mesh, and every job this file
+
         meshed = {name: shape.shape.mesh for name, shape in shapes.items() if isinstance(shape.shape, MeshedShape)}
         settings = {name: self._settings(name, shape) for name, shape in shapes.items() if name not in meshed}
         known = {f"{face}_{each}" for name, shape in shapes.items() for face in shape.faces for each in self._called(name)}

@@ -39,6 +39,7 @@ from turgor.core.results.measures.field_measures import (
     principal_stretch_p99,
     von_mises_p99,
 )
+from turgor.core.results.measures.grasping.grasp_measures import grasp_measure, grasp_measures_of
 from turgor.core.results.measures.measure import Measure as Measure
 from turgor.core.results.measures.measure import measures_of
 from turgor.core.results.measures.point_measures import fixed_points_force, point_measure, point_measures_of
@@ -137,7 +138,9 @@ def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Me
     mesh = solution.model.mesh
     fitting = fitting_measures(measured_faces(mesh.faces, mesh.cavities))
     standard = tuple(measures) in ((), STANDARD_MEASURES, fitting)
-    own = (*point_measures_of(solution.model), *contact_measures_of(solution), *openings_of(solution.model))
+    model = solution.model
+    contact = (*contact_measures_of(solution), *grasp_measures_of(solution))
+    own = (*point_measures_of(model), *contact, *openings_of(model))
     requested = (*fitting, *own) if standard else measures
     return _with_parts(requested, mesh)
 
@@ -208,17 +211,10 @@ def find_measure(name: str) -> Measure:
     """
     if name in MEASURES:
         return MEASURES[name]
-    regional = in_region(name)
-    if regional is not None:
-        return regional
-    of_a_bond = bond_measure(name)
-    if of_a_bond is not None:
-        return of_a_bond
-    if name.startswith("cavity_") and name.endswith("_volume"):
-        return volume_of(name.removesuffix("_volume"))
-    of_a_point = point_measure(name)
-    if of_a_point is not None:
-        return of_a_point
+    for called in (in_region, bond_measure, _of_cavity, point_measure, grasp_measure):
+        measure = called(name)
+        if measure is not None:
+            return measure
     if name.endswith("_contact_area"):
         return area_on(name.removesuffix("_contact_area"))
     if name.endswith("_force"):
@@ -226,6 +222,12 @@ def find_measure(name: str) -> Measure:
     if name.endswith("_moment"):
         return moment_on(name.removesuffix("_moment"))
     raise unknown("measure", name, MEASURES, MEANT)
+
+
+def _of_cavity(name: str) -> Measure | None:
+    """Return the volume of one cavity of a name such as ``cavity_1_volume``."""
+    is_one = name.startswith("cavity_") and name.endswith("_volume")
+    return volume_of(name.removesuffix("_volume")) if is_one else None
 
 
 def volume_of(cavity: str) -> Measure:

@@ -1,11 +1,11 @@
 """Contacts of a grasped object in a state: where it is touched, along which normals, and with which forces."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.faces import surfaces
+from turgor.core.geometry.cad.symmetry.whole import MirrorPlane, images_of
 from turgor.core.meshing.bodies.named import nodes_of_body
 from turgor.core.model.contact import SELF
 from turgor.core.results.fields.contact import pose_of
@@ -61,54 +61,66 @@ def grasp_contacts(at: StateFields, name: str) -> GraspContacts:
         If there is neither an obstacle nor a body of this name.
     """
     is_obstacle = any(each.name == name for each in at.model.contact.obstacles)
-    points, normals, forces, friction, center, length = (_on_obstacle if is_obstacle else _on_body)(at, name)
-    pressing = np.einsum("ki,ki->k", forces, normals)
+    part = _on_obstacle(at, name) if is_obstacle else _on_body(at, name)
+    pressing = np.einsum("ki,ki->k", part.forces, part.normals)
     chosen = pressing > GRASP.least_share * pressing.max(initial=0.0)
-    images = at.facts.images
-    whole = [[image.of(points[chosen]), image.turned(normals[chosen]), image.turned(forces[chosen])] for image in images]
-    points, normals, forces = (np.concatenate(part) for part in zip(*whole, strict=True))
-    if not length:
-        length = float(np.linalg.norm(points - center, axis=1).max(initial=0.0))
-    return GraspContacts(
-        points=points, normals=normals, forces=forces, friction=friction, center=center, length=length
-    )  # fmt: skip
+    images = images_of(_cuts(at, part), at.mesh.wedge)
+    points = np.concatenate([image.of(part.points[chosen]) for image in images])
+    normals, forces = (
+        np.concatenate([vectors[chosen] @ image.turn.T for image in images]) for vectors in (part.normals, part.forces)
+    )
+    center = part.center.copy()
+    for plane in _cuts(at, part):
+        center[plane.axis] = plane.position
+    return replace(part, points=points, normals=normals, forces=forces, center=center)
+
+
+def _cuts(at: StateFields, part: GraspContacts) -> list[MirrorPlane]:
+    """Mirror planes through the object; an image behind another one is another object."""
+    return [plane for plane in at.facts.mirrors if abs(part.center[plane.axis] - plane.position) < part.length]
 
 
 def contact_force_on(at: StateFields, name: str) -> Array:
     """Force of all contacts on a body of the mesh, of the modeled part, (3,) [N]."""
     nodes = nodes_of_body(at.mesh, name)
-    return np.sum([touch.force[nodes].sum(axis=0) for touch in at.state.touches.values()], axis=0, initial=0.0) * (
-        np.ones(3)
+    force = np.zeros(3)
+    for touch in at.state.touches.values():
+        force += touch.force[nodes].sum(axis=0)
+    return force
+
+
+def _on_obstacle(at: StateFields, name: str) -> GraspContacts:
+    (obstacle,) = (each for each in at.model.contact.obstacles if each.name == name)
+    touch, pose = at.state.touches.get(name), pose_of(at, obstacle)
+    nodes = np.zeros(0, dtype=np.int64) if touch is None else np.flatnonzero(touch.force.any(axis=1))
+    points, center = at.points[nodes], pose.moved(np.array(obstacle.shape.middle))
+    if touch is None or obstacle.shape.surface() is not None:
+        normals = _normals(at)[nodes]  # into the object, out of the actuator
+    else:
+        normals = -pose.turned(obstacle.shape.signed_distance(pose.at_first(points))[1])
+    return GraspContacts(
+        points=points,
+        normals=normals,
+        forces=np.zeros((0, 3)) if touch is None else -touch.force[nodes],
+        friction=obstacle.friction,
+        center=center,
+        length=float(np.linalg.norm(points - center, axis=1).max(initial=0.0)),
     )
 
 
-def _on_obstacle(at: StateFields, name: str) -> tuple[Array, Array, Array, float, Array, float]:
-    (obstacle,) = (each for each in at.model.contact.obstacles if each.name == name)
-    touch, pose = at.state.touches.get(name), pose_of(at, obstacle)
-    center = pose.moved(np.array(obstacle.shape.middle))
-    if touch is None:
-        return np.empty((0, 3)), np.empty((0, 3)), np.empty((0, 3)), obstacle.friction, center, 0.0
-    nodes = np.flatnonzero(touch.force.any(axis=1))
-    points = at.points[nodes]
-    triangles = obstacle.shape.surface()
-    if triangles is None:
-        _, outward, _ = obstacle.shape.signed_distance(pose.at_first(points))
-        normals = -pose.turned(outward)
-    else:  # the actuator touches it with its own normals
-        normals = _normals(at)[nodes]
-    return points, normals, -touch.force[nodes], obstacle.friction, center, 0.0
-
-
-def _on_body(at: StateFields, name: str) -> tuple[Array, Array, Array, float, Array, float]:
+def _on_body(at: StateFields, name: str) -> GraspContacts:
     nodes = nodes_of_body(at.mesh, name)
     touch, own = at.state.touches.get(SELF), at.model.contact.self_contact
     center = at.points[nodes].mean(axis=0)
-    length = float(np.linalg.norm(at.points[nodes] - center, axis=1).max())
-    friction = 0.0 if own is None else own.friction
-    if touch is None:
-        return np.empty((0, 3)), np.empty((0, 3)), np.empty((0, 3)), friction, center, length
-    nodes = nodes[touch.force[nodes].any(axis=1)]
-    return at.points[nodes], -_normals(at)[nodes], touch.force[nodes], friction, center, length
+    touched = nodes[:0] if touch is None else nodes[touch.force[nodes].any(axis=1)]
+    return GraspContacts(
+        points=at.points[touched],
+        normals=-_normals(at)[touched],
+        forces=np.zeros((0, 3)) if touch is None else touch.force[touched],
+        friction=0.0 if own is None else own.friction,
+        center=center,
+        length=float(np.linalg.norm(at.points[nodes] - center, axis=1).max()),
+    )
 
 
 def _normals(at: StateFields) -> Array:
