@@ -70,9 +70,7 @@ def _ranked(
     yield from ranks
 
 
-def _of_body(
-    section: str, name: str, own: Mapping[str, str], value: Any, regions: frozenset[str]
-) -> Iterator[Part]:
+def _of_body(section: str, name: str, own: Mapping[str, str], value: Any, regions: frozenset[str]) -> Iterator[Part]:
     """What the table of one body stands for: its own names, and what is left for all cavities or regions of it."""
     if not isinstance(value, Mapping):
         yield own.get("fixed", name) if section == "supports" else name, value, (name,)

@@ -89,8 +89,10 @@ class PlacedBody:
         angle = float(np.linalg.norm(self.rotation))
         x, y, z = (float(each) for each in np.array(self.origin) + number * step)
         mesh = placed(mesh, axis=self.rotation if angle else AXES["z"], angle=angle, shift=(x, y, z))
-        return mesh if not number or self.around is None else placed(
-            mesh, axis=AXES[self.around], angle=self.angle(number)
+        return (
+            mesh
+            if not number or self.around is None
+            else placed(mesh, axis=AXES[self.around], angle=self.angle(number))
         )
 
 
@@ -189,7 +191,9 @@ class Assembly:
 
         meshed = {name: shape.shape.mesh for name, shape in shapes.items() if isinstance(shape.shape, MeshedShape)}
         settings = {name: self._settings(name, shape) for name, shape in shapes.items() if name not in meshed}
-        known = {f"{face}_{each}" for name, shape in shapes.items() for face in shape.faces for each in self._called(name)}
+        known = {
+            f"{face}_{each}" for name, shape in shapes.items() for face in shape.faces for each in self._called(name)
+        }
         wrong = next((face for face in self.mesh.face_sizes if face not in known), None)
         if wrong is not None:
             raise unknown("face of face_sizes", wrong, known)

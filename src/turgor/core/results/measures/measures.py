@@ -13,6 +13,7 @@ from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.faces import surfaces
 from turgor.core.engine.points.foundation_term import foundation_force
 from turgor.core.geometry.names import measured_faces
+from turgor.core.meshing.bodies.named import named_bodies
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.proximity import smallest_gap as smallest_gap_between
 from turgor.core.model.drive import common_pressure, pressures_at
@@ -329,7 +330,7 @@ def _reaction(at: StateFields) -> float:
                 fixed[nodes, "xyz".index(direction)] = True
     nodes, across = across_fixed(*radial_normals(at.model, moved=False), fixed)
     supported = fixed.any() or len(nodes) or any(any(support.bedding) for support in at.model.supports)
-    if not supported and not at.model.points:  # what is loose has points
+    if not supported and not at.model.points and not named_bodies(at.mesh):  # which may be loose
         raise TurgorError("the model has no support Fixed, Radial, Roller or Foundation whose force could be summed.")
     force = np.where(fixed, at.state.nodal_force, 0.0)
     np.add.at(force, nodes, np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across)
