@@ -1,10 +1,10 @@
 """A rigid body of a job file moves as mechanics says: it slides, sticks, rolls, and rests on what is soft.
 
-Problems: a block of 4 g on a plane of 30° with friction, in motion: a = g (sin α − µ cos α) for µ < tan α, at rest above
-it; a solid bar rolls down without slipping at a = 2/3 g sin α and turns by s / R; a ball comes to rest on a soft block,
-which it presses with its weight. Source: exact. Tolerances: 3 % of the way, because weight ramps up and friction has an
-elastic slip; 3 % of the rolling, because the bar's curved sides are quadratic and its steps are even; 0.1 % of the weight,
-because viscous forces fade.
+Problems: a block of 4 g on a plane of 30° with friction, in motion: a = g (sin α − µ cos α) for µ < tan α, at rest
+above it; a solid bar rolls down without slipping at a = 2/3 g sin α and turns by s / R; a ball comes to rest on a soft
+block, which it presses with its weight. Source: exact. Tolerances: 3 % of the way, because weight ramps up and friction
+has an elastic slip; 3 % of the rolling, because the bar's curved sides are quadratic and its steps are even; 0.1 % of
+the weight, because viscous forces fade.
 """
 
 from pathlib import Path

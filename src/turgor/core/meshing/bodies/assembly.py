@@ -191,9 +191,8 @@ class Assembly:
 
         meshed = {name: shape.shape.mesh for name, shape in shapes.items() if isinstance(shape.shape, MeshedShape)}
         settings = {name: self._settings(name, shape) for name, shape in shapes.items() if name not in meshed}
-        known = {
-            f"{face}_{each}" for name, shape in shapes.items() for face in shape.faces for each in self._called(name)
-        }
+        called = {name: self._called(name) for name in shapes}
+        known = {f"{face}_{each}" for name, shape in shapes.items() for face in shape.faces for each in called[name]}
         wrong = next((face for face in self.mesh.face_sizes if face not in known), None)
         if wrong is not None:
             raise unknown("face of face_sizes", wrong, known)

@@ -1,7 +1,6 @@
 """Names of the bodies of a mesh, from those of their regions and faces."""
 
 from functools import lru_cache
-from os.path import commonprefix
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,10 +36,10 @@ def named_bodies(mesh: Mesh) -> dict[str, NDArray[np.int64]]:
     out = {}
     for body in find_bodies(mesh):
         names = [name for name in (*body.regions, *body.faces) if not name.startswith("joint_")]
-        ending = commonprefix([name[::-1] for name in names])[::-1]
-        _, mark, name = ending.partition("_")
-        if len(names) > 1 and mark:
-            out[name] = body.nodes
+        endings = (names[0][k + 1 :] for k, letter in enumerate(names[0]) if letter == "_") if names[1:] else ()
+        shared = next((ending for ending in endings if all(name.endswith(f"_{ending}") for name in names)), None)
+        if shared is not None:
+            out[shared] = body.nodes
     return out
 
 

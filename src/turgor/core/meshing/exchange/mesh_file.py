@@ -154,9 +154,8 @@ class MeshFile:
         mesh = self.read()
         corners = six_node_triangles(outer_triangles(mesh))[:, :3]
         extent = float(np.ptp(mesh.points, axis=0).max())
-        return meshed_geometry(
-            MeshedShape(mesh), min(thinnest_wall(mesh.points[corners], most=WALLS.fewest)[0], extent)
-        )
+        wall = min(thinnest_wall(mesh.points[corners], most=WALLS.fewest)[0], extent)
+        return meshed_geometry(MeshedShape(mesh), wall)
 
 
 def meshed_geometry(shape: MeshedShape, smallest_wall: float) -> Geometry:

@@ -10,7 +10,8 @@ class GraspSettings:
     Parameters
     ----------
     edges : int
-        Edges of the pyramid in each friction cone. With 8 the margin is no smaller than with 8 % less friction (cos 22.5°).
+        Edges of the pyramid in each friction cone. With 8 the margin is no smaller than that of round cones with 8 %
+        less friction (cos 22.5°).
     most_points : int
         Contact points of the hull at most; of more, those are taken that lie farthest apart. The hull of 24 takes half
         a second, and leaving points out makes the margin smaller, never larger.
