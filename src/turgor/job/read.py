@@ -16,7 +16,8 @@ from turgor.foundation.toml_text import read_text, read_toml
 from turgor.job.family_cache import geometry_on_disk
 from turgor.job.job import Actuator, Job
 from turgor.job.symmetry_breakers import with_broken_planes
-from turgor.job.tables.bodies import ASSEMBLY, LATER, rigid_materials, rigs_of
+from turgor.job.tables.bodies.body_tables import ASSEMBLY, LATER
+from turgor.job.tables.bodies.rigid_bodies import rigid_materials, rigs_of
 from turgor.job.tables.bonds import read_bonds
 from turgor.job.tables.contact import read_contact
 from turgor.job.tables.fibers import read_fibers

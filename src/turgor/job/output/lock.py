@@ -21,7 +21,7 @@ from turgor.core.model.sheets import Sheet, Shell
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.registry import name_in
 from turgor.job.job import Job, actuator_type
-from turgor.job.tables.bodies import bodies_tables
+from turgor.job.tables.bodies.body_tables import bodies_tables
 from turgor.job.tables.bonds import bonds_tables
 from turgor.job.tables.cad import cad_file_table
 from turgor.job.tables.contact import contact_table

@@ -29,7 +29,7 @@ from turgor.job.read import DEFAULTS
 from turgor.job.reference.kinds import Kind
 from turgor.job.reference.ranges import Reader
 from turgor.job.reference.tables import JobKey, JobTable, Source, toml
-from turgor.job.tables.bodies import BodyTable
+from turgor.job.tables.bodies.body_tables import BodyTable
 from turgor.job.tables.bonds import BondTable, read_bonds
 from turgor.job.tables.cad import CAD_FILE, CadFileTable, SelectorTable, SplitTable
 from turgor.job.tables.contact import ContactTable, read_contact

@@ -13,7 +13,7 @@ from turgor.core.meshing.sizing.sizes import check_face_sizes, check_features, c
 from turgor.core.meshing.sweeping.swept import check_cells
 from turgor.core.setups.setup_values import Setup
 from turgor.job.job import Actuator, Output, standard_measures
-from turgor.job.tables.bodies import ASSEMBLY, LATER, read_bodies, read_part
+from turgor.job.tables.bodies.body_tables import ASSEMBLY, LATER, read_bodies, read_part
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import (
     EngineTable,

@@ -8,7 +8,7 @@ from typing import Any
 
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.toml_text import read_text, read_toml
-from turgor.job.tables.bodies import ASSEMBLY, LATER
+from turgor.job.tables.bodies.body_tables import ASSEMBLY, LATER
 from turgor.job.tables.mesh_files import MESH_FILE
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import Problems

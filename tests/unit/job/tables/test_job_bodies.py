@@ -164,3 +164,10 @@ def test_a_loose_soft_body_is_checked_like_a_rigid_one(tmp_path: Path) -> None:
     job = _read(tmp_path, BALLS, **{"procedure.type": "stabilized", "output.mesh_error": False})
     model, _ = prepare(job)
     assert free_motions(model) == 18
+
+
+def test_the_job_of_the_guide_on_grasping_is_read(tmp_path: Path) -> None:
+    guide = (Path(__file__).parents[4] / "docs" / "howto" / "grasping.md").read_text(encoding="utf-8")
+    job = _read(tmp_path, guide.split("```toml\n")[1].split("```")[0])
+    pressures = {load.face: load.pressure for load in job.loads if isinstance(load, tg.Pressure)}
+    assert pressures == {"cavity_finger_1": 25 * kPa, "cavity_finger_2": 20 * kPa, "cavity_finger_3": 25 * kPa}
