@@ -57,7 +57,7 @@ def rigid_materials(actuator: Any, geometry: Geometry | None) -> dict[str, Mater
     if not isinstance(actuator, Assembly) or geometry is None:
         return {}
     mesh = geometry.shape.mesh
-    out = {}
+    out: dict[str, Material] = {}
     for name, mass in actuator.rigid.items():
         regions = [full for full in geometry.shape.bodies[name].values() if full in mesh.regions]
         rows = np.concatenate([mesh.regions[full] for full in regions])
