@@ -75,13 +75,14 @@ def _with_size(job: "Job", text: str | None) -> "Job":
     from dataclasses import replace
 
     from turgor.core.meshing.exchange.mesh_file import MeshFile
+    from turgor.job.job import MESHED
     from turgor.units import parse_quantity
 
     if text is None:
         return job
-    if isinstance(job.actuator, MeshFile):
-        file = job.actuator.file
-        raise TurgorError(f"--size is '{text}', but the actuator is the mesh file '{file}', which has its own.")
+    if isinstance(job.actuator, MESHED):
+        what = f"is the mesh file '{job.actuator.file}'" if isinstance(job.actuator, MeshFile) else "has several bodies"
+        raise TurgorError(f"--size is '{text}', but the actuator {what}, which has a mesh of its own size.")
     try:
         size = parse_quantity(text, "length")
     except TurgorError as error:

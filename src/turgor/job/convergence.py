@@ -16,7 +16,7 @@ from turgor.core.setups.with_setup import with_direction
 from turgor.core.solvers.solution import Solution, SolveError
 from turgor.core.solvers.solve import Progress, solve
 from turgor.foundation.errors import TurgorError
-from turgor.job.job import Job
+from turgor.job.job import MESHED, Job
 from turgor.job.meshes import settings_at
 from turgor.job.prepare import prepare
 from turgor.units import mm
@@ -136,10 +136,11 @@ def study_sizes(question: Question, sizes: int | Sequence[float]) -> tuple[float
 
 def _limits(job: Job) -> tuple[float, float]:
     """Smallest and largest size that the geometry of a job allows."""
-    if isinstance(job.actuator, MeshFile):
+    if isinstance(job.actuator, MESHED):
+        what = f"is the mesh file '{job.actuator.file}'" if isinstance(job.actuator, MeshFile) else "has several bodies"
         raise TurgorError(
-            f"the actuator is the mesh file '{job.actuator.file}', which has one size; mesh the part at three "
-            "sizes and give a function of the size."
+            f"the actuator {what}, whose mesh has one size here; mesh the parts at three sizes and give a function of "
+            "the size."
         )
     geometry = job.geometry()
     return size_range(geometry)[0], max(wall_size(geometry), job.mesh_size)  # above it only if the job is

@@ -8,7 +8,6 @@ from time import process_time
 import numpy as np
 
 from turgor.core.meshing.cells import TETRAHEDRON
-from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.sizing.default_size import default_size
 from turgor.core.meshing.sizing.settings import QUALITIES
 from turgor.core.meshing.sweeping.section import Fineness
@@ -18,7 +17,7 @@ from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.solution import Solution
 from turgor.core.solvers.solve import FEW_UNKNOWNS
 from turgor.foundation.store.cached_values import Cache
-from turgor.job.job import Job
+from turgor.job.job import MESHED, Job
 from turgor.job.output.identity import IGNORED, digest
 from turgor.job.output.lock import lock_text
 
@@ -200,7 +199,7 @@ def _draws(job: Job) -> bool:
 
 def _draft_share(job: Job, model: Model) -> float:
     """Unknowns of a draft over those of a mesh; 1 where the mesh is a draft, or has no other size."""
-    if job.mesh.quality == "draft" or job.mesh.cells == "axisymmetric" or isinstance(job.actuator, MeshFile):
+    if job.mesh.quality == "draft" or job.mesh.cells == "axisymmetric" or isinstance(job.actuator, MESHED):
         return 1.0
     hexahedra = model.mesh.cell_type is not TETRAHEDRON
     if hexahedra and is_grid_row(geometry := job.geometry(), Fineness(size=job.mesh_size)):

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.material import Material
+from turgor.core.meshing.bodies.assembly import Assembly
 from turgor.core.meshing.default_settings import chosen_settings
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.settings import MeshSettings
@@ -41,6 +42,10 @@ ACTUATORS: Registry[type[Actuator]] = Registry(
 )
 
 
+#: Actuators that are meshes when they are built.
+MESHED = (MeshFile, Assembly)
+
+
 def actuator_type(actuator: Actuator) -> str:
     """Return the name that job files use for the family of an actuator.
 
@@ -54,6 +59,8 @@ def actuator_type(actuator: Actuator) -> str:
         return "cad_file"
     if isinstance(actuator, MeshFile):
         return "mesh_file"
+    if isinstance(actuator, Assembly):
+        return "assembly"
     name = name_in(ACTUATORS, actuator)
     if name is None:
         raise unknown("actuator type", type(actuator).__name__, ACTUATORS)

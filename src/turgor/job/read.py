@@ -7,6 +7,7 @@ from types import MappingProxyType
 from typing import Any
 
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.meshing.bodies.assembly import Assembly
 from turgor.core.model.loads import Load
 from turgor.core.setups.setup_values import Setup
 from turgor.core.solvers.procedures.procedure import Procedure
@@ -15,6 +16,8 @@ from turgor.foundation.toml_text import read_text, read_toml
 from turgor.job.family_cache import geometry_on_disk
 from turgor.job.job import Actuator, Job
 from turgor.job.symmetry_breakers import with_broken_planes
+from turgor.job.tables.bodies.body_tables import ASSEMBLY, LATER
+from turgor.job.tables.bodies.rigid_bodies import rigid_materials, rigs_of
 from turgor.job.tables.bonds import read_bonds
 from turgor.job.tables.contact import read_contact
 from turgor.job.tables.fibers import read_fibers
@@ -36,6 +39,7 @@ from turgor.job.text.quantities import shown
 SECTIONS = (
     "name",
     "actuator",
+    "bodies",
     "mesh",
     "materials",
     "fibers",
@@ -129,11 +133,19 @@ def _given(content: Mapping[str, Any], problems: Problems) -> dict[str, Any]:
         own = {key: value for key, value in given["mesh"].items() if key != "imperfection"}
         rest = {key: value for key, value in given["mesh"].items() if key not in own}
         given["actuator"], given["mesh"] = {"type": MESH_FILE, **own}, rest  # a mesh file replaces both
+    if given["bodies"] is not None:
+        if "actuator" in content:
+            problems.add(("actuator",), "[bodies] states the actuators; write this one as [bodies.NAME].")
+        stated = dict(given["mesh"]) if isinstance(given["mesh"], Mapping) else {}
+        given["mesh"] = {key: stated.pop(key) for key in LATER if key in stated}
+        given["actuator"] = {"type": ASSEMBLY, "bodies": given["bodies"], "mesh": stated}
     if STAGES in content and "procedure" in content:
         problems.add(("procedure",), "every stage has a procedure of its own; write it there and leave this one out.")
     if (_alone(given) or _rigged(given["points"])) and given["loads"] is None:
         given["loads"] = {}
     for key in ("actuator", "materials", "loads"):
+        if key == "materials" and _all_rigid(given["bodies"]):
+            continue
         if given[key] is None and not (key == "loads" and _moves(given["obstacles"])):
             problems.add((key,), f"the table [{key}] is missing.")
     return given
@@ -163,7 +175,9 @@ def _read(
     actuator = with_broken_planes(actuator, given)
     geometry = built[1] if built is not None and built[0] == actuator else _build(actuator, problems)
     mesh = read_mesh(given["mesh"], geometry, problems)
-    materials = read_materials(given["materials"], geometry, problems) if given["materials"] is not None else {}
+    rigid = rigid_materials(actuator, geometry)
+    stated = given["materials"] is not None or rigid
+    materials = read_materials(given["materials"] or {}, geometry, problems, rigid) if stated else {}
     fibers = read_fibers(given["fibers"], geometry, problems)
     bodies = {**fibers, **materials}
     bonds = read_bonds(given["bonds"], geometry, problems)
@@ -172,10 +186,9 @@ def _read(
     if given["loads"] is not None:
         needed = not _alone(given) and not _rigged(given["points"])
         loads = read_loads(given["loads"], geometry, bodies, problems, needed, timed)
-    supported = "supports" in content or geometry is None or "fixed" in geometry.faces  # by symmetry, inertia or points
-    supports = read_supports(given["supports"] if supported else {}, geometry, problems)
+    supports = read_supports(content.get("supports", _fixed(actuator, geometry)), geometry, problems)
     contact, rigid_files = read_contact(given["contact"], given["obstacles"], geometry, problems)
-    points = read_points(given["points"], geometry, loads, timed, problems)
+    points = rigs_of(actuator, read_points(given["points"], geometry, loads, timed, problems))
     around = Around(geometry, bodies, supports, contact, loads, _moves(given["obstacles"]))
     setup, procedure = _read_path(given, around, problems)
     output = read_output(given["output"], geometry, setup, problems)
@@ -204,6 +217,24 @@ def _read(
         threads=threads,
         built=None if geometry is None else (actuator, geometry),
     )
+
+
+def _fixed(actuator: Actuator | None, geometry: Geometry | None) -> Mapping[str, Any]:
+    """Default supports: the face ``fixed``, that of each body unless a plate joins it to another one.
+
+    A part without it is supported by mirror planes, inertia or reference points.
+    """
+    if isinstance(actuator, Assembly):
+        faces = [f"fixed_{name}" for name in actuator.members if name not in {*actuator.joints, *actuator.rigid}]
+    else:
+        faces = list(DEFAULTS["supports"])
+    return {face: "xyz" for face in faces if geometry is None or face in geometry.faces}
+
+
+def _all_rigid(bodies: object) -> bool:
+    """Whether all bodies are rigid, so that none needs a material."""
+    entries = bodies.values() if isinstance(bodies, Mapping) else ()
+    return bool(entries) and all(isinstance(entry, Mapping) and "mass" in entry for entry in entries)
 
 
 def _rigged(points: object) -> bool:

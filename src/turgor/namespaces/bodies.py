@@ -6,6 +6,7 @@ from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
     from turgor.core.geometry.shapes.film_shape import Patch as Patch
+    from turgor.core.geometry.solids import Ball as Ball
     from turgor.core.geometry.solids import Block as Block
     from turgor.core.geometry.solids import Film as Film
     from turgor.core.geometry.solids import RoundBar as RoundBar

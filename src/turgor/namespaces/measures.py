@@ -37,6 +37,10 @@ if TYPE_CHECKING:
     from turgor.core.results.measures.field_measures import principal_stretch_p99 as principal_stretch_p99
     from turgor.core.results.measures.field_measures import von_mises_in as von_mises_in
     from turgor.core.results.measures.field_measures import von_mises_p99 as von_mises_p99
+    from turgor.core.results.measures.grasping.force_closure import force_closure_margin as force_closure_margin
+    from turgor.core.results.measures.grasping.grasp_measures import contact_force as contact_force
+    from turgor.core.results.measures.grasping.grasp_measures import friction_use as friction_use
+    from turgor.core.results.measures.grasping.grasp_measures import grasp_margin as grasp_margin
     from turgor.core.results.measures.markers import marker as marker
     from turgor.core.results.measures.measure import Measure as Measure
     from turgor.core.results.measures.measures import bending_angle as bending_angle

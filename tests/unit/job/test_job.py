@@ -425,7 +425,7 @@ def test_a_new_family_needs_no_schema_code(tmp_path: Path, monkeypatch: pytest.M
         ratio: float = field(default=0.5, metadata={"dimension": "number"})
 
     monkeypatch.setattr(turgor.job.job, "ACTUATORS", {"tilted": Tilted})
-    monkeypatch.setattr("turgor.job.tables.sections.ACTUATORS", {"tilted": Tilted})
+    monkeypatch.setattr("turgor.job.tables.bodies.body_tables.ACTUATORS", {"tilted": Tilted})
     job = read(tmp_path, SMALL.replace('"fast_pneunet"', '"tilted"\ntilt = "30 deg"\nratio = 0.25'))
     assert (job.actuator.tilt, job.actuator.ratio) == (30 * deg, 0.25)
     assert set(dataclass_table(Tilted).model_fields) == {"type", *(item.name for item in fields(Tilted))}

@@ -1,7 +1,9 @@
 """Simple solids of rubber, such as the object that a gripper holds."""
 
 from dataclasses import dataclass
+from math import pi
 
+from turgor.core.geometry import occ
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.extrusion import PlaneName, Sweep, layers_of
 from turgor.core.geometry.geometry import Geometry, check_volume
@@ -120,6 +122,61 @@ class Block:
     @property
     def _section(self) -> Outline:
         return rectangle((-self.width / 2, self.width / 2), (-self.height / 2, self.height / 2))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ball:
+    """A ball, centered at the origin.
+
+    `turgor.bodies.placed` moves its mesh to its place.
+
+    Parameters
+    ----------
+    radius : float [m]
+
+    Raises
+    ------
+    TurgorError
+        If the radius is out of range.
+
+    Examples
+    --------
+    >>> Ball(radius=5e-3).build().faces
+    ('outside',)
+    """
+
+    radius: float = 10 * mm
+
+    def __post_init__(self) -> None:
+        check_length("radius", self.radius, high=0.5 * m)
+
+    @property
+    def solid_volume(self) -> float:
+        """Volume [m³]."""
+        return 4 / 3 * pi * self.radius**3
+
+    def build(self) -> Geometry:
+        """Build the solid and name it.
+
+        Returns
+        -------
+        Geometry
+            Region ``body``; face ``outside``.
+        """
+        shape = occ.Sphere(occ.Pnt(0, 0, 0), self.radius / METERS_PER_CAD_UNIT)
+        shape.mat("body")
+        for face in shape.faces:
+            face.name = "outside"
+        check_volume("solid", volume(shape), self.solid_volume)
+        return Geometry(
+            name="ball",
+            smallest_wall=2 * self.radius,
+            cavity_volumes={},
+            solid_volume=self.solid_volume,
+            regions=("body",),
+            faces=("outside",),
+            shape=shape,
+        )
 
 
 def _check_mirrors(mirrors: str) -> None:

@@ -14,12 +14,14 @@ from turgor.core.materials.laws.laws import LAWS, Hooke
 from turgor.core.materials.library.record_history import history_tables
 from turgor.core.materials.material import Material
 from turgor.core.materials.orientation import orientation_table
+from turgor.core.meshing.bodies.assembly import Assembly
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.model.sheets import Sheet, Shell
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.registry import name_in
 from turgor.job.job import Job, actuator_type
+from turgor.job.tables.bodies.body_tables import bodies_tables
 from turgor.job.tables.bonds import bonds_tables
 from turgor.job.tables.cad import cad_file_table
 from turgor.job.tables.contact import contact_table
@@ -39,7 +41,7 @@ _UNIT = {"length": "mm", "angle": "deg", "pressure": "MPa", "density": "kg/m³"}
 
 #: Sections in the order in which a lock file states them.
 _ORDER = (
-    "name", "actuator", "mesh", "materials", "fibers", "bonds", "supports", "loads", "points", "contact",
+    "name", "actuator", "bodies", "mesh", "materials", "fibers", "bonds", "supports", "loads", "points", "contact",
     "obstacles", "procedure", STAGES, "output", "engine", "written_by",
 )  # fmt: skip
 
@@ -61,7 +63,7 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
     """
     content: dict[str, Any] = {
         "name": job.name,
-        "actuator": {"type": actuator_type(job.actuator)} | dimensions(job.actuator),
+        **_actuator(job.actuator),
         "mesh": _mesh(job),
         "materials": {name: material_table(entry) for name, entry in job.materials.items()},
         "fibers": fibers_tables(job.fibers),
@@ -84,6 +86,12 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
     return _HEADER + tomlkit.dumps({key: content[key] for key in _ORDER if key in content})
 
 
+def _actuator(actuator: Any) -> dict[str, Any]:
+    """The table of the actuator, or those of its bodies."""
+    own = dimensions(actuator)
+    return {"bodies": own} if isinstance(actuator, Assembly) else {"actuator": {"type": actuator_type(actuator)} | own}
+
+
 def _output(job: Job) -> dict[str, Any]:
     content = {item.name: _plain(getattr(job.output, item.name)) for item in fields(job.output)}
     del content["markers"]
@@ -100,6 +108,8 @@ def dimensions(actuator: Any) -> dict[str, Any]:
         return cad_file_table(actuator)
     if isinstance(actuator, MeshFile):
         return mesh_file_table(actuator)
+    if isinstance(actuator, Assembly):
+        return bodies_tables(actuator, dimensions)
     values = {}
     for item in fields(actuator):
         value, dimension = getattr(actuator, item.name), item.metadata.get("dimension", "length")
@@ -114,14 +124,14 @@ def _mesh(job: Job) -> dict[str, Any]:
     sizes = {"imperfection": [format_quantity(size, "mm") for size in job.imperfection]} if job.imperfection else {}
     if isinstance(job.actuator, MeshFile):
         return sizes
-    mesh = job.mesh_settings
-    assert mesh.size is not None  # chosen where it was not given
+    mesh = job.actuator.mesh if isinstance(job.actuator, Assembly) else job.mesh_settings
+    cells = {} if mesh.cells is None else {"cells": mesh.cells}
     return {
-        "size": format_quantity(mesh.size, "mm"),
+        **({} if mesh.size is None else {"size": format_quantity(mesh.size, "mm")}),
         "grading": mesh.grading,
         "face_sizes": {name: format_quantity(size, "mm") for name, size in mesh.face_sizes.items()},
         "wall_cells": mesh.wall_cells,
-        "cells": mesh.cells,
+        **cells,
         **({} if mesh.quality == MeshSettings().quality else {"quality": mesh.quality}),
         **_features(mesh.ignore_features_below),
         **_target(job),

@@ -10,6 +10,7 @@ from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.geometry.cad.split import SplitPlane
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.laws.laws import LAWS, Hooke
+from turgor.core.meshing.bodies.assembly import PlacedBody
 from turgor.core.meshing.exchange.mesh_file import MeshFile
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.model.bonds import Bond
@@ -28,6 +29,7 @@ from turgor.job.read import DEFAULTS
 from turgor.job.reference.kinds import Kind
 from turgor.job.reference.ranges import Reader
 from turgor.job.reference.tables import JobKey, JobTable, Source, toml
+from turgor.job.tables.bodies.body_tables import BodyTable
 from turgor.job.tables.bonds import BondTable, read_bonds
 from turgor.job.tables.cad import CAD_FILE, CadFileTable, SelectorTable, SplitTable
 from turgor.job.tables.contact import ContactTable, read_contact
@@ -106,6 +108,7 @@ def section_tables(shape: Geometry | None = None) -> Iterator[JobTable]:
     built = shape or FastPneuNet().build()
     yield _top()
     yield from _files()
+    yield _of(BodyTable, "[bodies.NAME]", PlacedBody)
     yield _mesh(built)
     yield from _materials(built)
     yield from _fibers(built)

@@ -13,6 +13,7 @@ from turgor.core.geometry.cad.split import SplitPlane
 from turgor.core.geometry.cad.symmetry.requested import NONE
 from turgor.core.geometry.directions import FileAxes
 from turgor.foundation.errors import TurgorError, near_file
+from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Coordinate, Length, Table, read_table
 from turgor.units import format_quantity
@@ -121,9 +122,8 @@ class CadFileTable(Table):
     axes: list[str | list[float]] | None = Field(default=None, examples=['["z", "x", "y"]'])
 
 
-def read_cad_file(values: Mapping[str, Any], problems: Problems) -> CadFile | None:
+def read_cad_file(values: Mapping[str, Any], problems: Problems, key: Key = ("actuator",)) -> CadFile | None:
     """Read an actuator that comes from a CAD file; its path counts from the folder of the job file."""
-    key = ("actuator",)
     table: CadFileTable | None = read_table(CadFileTable, values, key, problems)
     if table is None:
         return None

@@ -14,6 +14,7 @@ from turgor.core.model.loads import STANDARD_GRAVITY, Force, Gravity, Load, Pres
 from turgor.core.model.places import NodesAt
 from turgor.core.model.sheets import Sheet
 from turgor.foundation.errors import near_match, unknown
+from turgor.job.text.body_names import by_body
 from turgor.job.text.forces import is_force, on_faces
 from turgor.job.text.listed_loads import fits, listed_values, loads_model, read_listed
 from turgor.job.text.load_tables import CavityTable
@@ -36,6 +37,7 @@ def read_loads(
     ``[loads.tip]`` with a pressure is one on a face that is no cavity. ``materials`` has the windings, too.
     """
     key = ("loads",)
+    values, problems = by_body("loads", values, geometry, problems)
     cavities = ("cavity",) if geometry is None else geometry.cavities
     plain, own, pulled = values, {}, {}
     if isinstance(values, Mapping):

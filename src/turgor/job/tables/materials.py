@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import fields, replace
 from math import inf
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from turgor.core.geometry.geometry import Geometry
@@ -16,6 +17,7 @@ from turgor.core.model.sheets import Membrane, Sheet, Shell
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.source import Source
 from turgor.job.tables.material_tables import LibraryTable, StatedTable, law_table
+from turgor.job.text.body_names import by_body
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import read_table, shown
@@ -34,12 +36,18 @@ OWN = (*HISTORY, "bending_stiffness", "expansion", "strength", "crack_growth")
 BASE = "base"
 
 
-def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -> dict[str, Material | Sheet]:
-    """Read ``[materials]``: one entry per region, and one with a thickness for each reinforced face."""
+def read_materials(
+    values: Any, geometry: Geometry | None, problems: Problems, own: Mapping[str, Material] = MappingProxyType({})
+) -> dict[str, Material | Sheet]:
+    """Read ``[materials]``: one entry per region, and one with a thickness for each reinforced face.
+
+    Regions of ``own`` have a material already, whatever the table says.
+    """
     key = ("materials",)
     if not isinstance(values, Mapping):
         problems.add(key, f"{shown(values)} is not a table; write [materials] and one material per region below it.")
         return {}
+    values, problems = by_body("materials", values, geometry, problems)
     materials: dict[str, Material | Sheet] = {}
     forms = {name: _form_of(entry, (*key, name), geometry, problems) for name, entry in values.items()}
     combined = [name for name, form in forms.items() if form == COMBINED]
@@ -59,11 +67,11 @@ def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -
             region = BASE if forms[name] == COMBINED else name
             materials[region] = next((other for other in materials.values() if other == material), material)
     if geometry is not None:
-        given = {BASE if forms[name] == COMBINED else name for name in values}
+        given = {*own, *(BASE if forms[name] == COMBINED else name for name in values)}
         missing = [region for region in geometry.regions if region not in given]
         if missing:
             problems.add(key, f"no material for region {', '.join(missing)}; give each region one.")
-    return materials
+    return materials | dict(own)
 
 
 def _read_material(

@@ -102,7 +102,7 @@ class MeshFileTable(Table):
     sha256: str = ""
 
 
-def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | None:
+def read_mesh_file(values: Mapping[str, Any], problems: Problems, key: Key = ("actuator",)) -> MeshFile | None:
     """Read an actuator that comes from a mesh file; paths count from the folder of the job file.
 
     Parameters
@@ -111,13 +111,14 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | 
         The table.
     problems : Problems
         Takes what is wrong.
+    key : tuple of str
+        Where the table stands.
 
     Returns
     -------
     MeshFile or None
         None where something is wrong.
     """
-    key = ("actuator",)
     table: MeshFileTable | None = read_table(MeshFileTable, values, key, problems)
     if table is None:
         return None

@@ -81,6 +81,7 @@ Turns = Annotated[
     BeforeValidator(partial(_way, read=_angles, example="90 deg")),
     Says("list of points [load factor, three angles]", '[[0, [0, 0, 0]], [1, [0, 0, "90 deg"]]]', "angle"),
 ]
+Angles = Annotated[Any, BeforeValidator(_angles), Says("three angles", '[0, 0, "90 deg"]', "angle")]
 SpringStiffness = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="spring stiffness"))]
 ContactStiffness = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="contact stiffness"))]
 

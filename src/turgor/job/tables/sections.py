@@ -1,7 +1,6 @@
 """Sections of a job file: each turns one table into values, and notes what is wrong."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import fields
 from functools import partial
 from typing import Any
 
@@ -13,36 +12,22 @@ from turgor.core.meshing.sizing.default_size import default_size
 from turgor.core.meshing.sizing.sizes import check_face_sizes, check_features, check_settings
 from turgor.core.meshing.sweeping.swept import check_cells
 from turgor.core.setups.setup_values import Setup
-from turgor.job.job import ACTUATORS, Actuator, Output, standard_measures
-from turgor.job.tables.cad import CAD_FILE, read_cad_file
-from turgor.job.tables.mesh_files import MESH_FILE, read_mesh_file
+from turgor.job.job import Actuator, Output, standard_measures
+from turgor.job.tables.bodies.body_tables import ASSEMBLY, LATER, read_bodies, read_part
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import (
     EngineTable,
     MeshTable,
     OutputTable,
-    chosen_kind,
-    dataclass_table,
-    fields_of_table,
     read_table,
 )
 
 
 def read_actuator(values: Any, problems: Problems) -> Actuator | None:
-    """Read ``[actuator]``: a type and its dimensions."""
-    key = ("actuator",)
-    if isinstance(values, Mapping) and values.get("type") == CAD_FILE:
-        return read_cad_file(values, problems)
-    if isinstance(values, Mapping) and values.get("type") == MESH_FILE:
-        return read_mesh_file(values, problems)
-    family = chosen_kind(ACTUATORS, "actuator type", values, key, problems, (CAD_FILE, MESH_FILE))
-    table = read_table(dataclass_table(family), values, key, problems) if family else None
-    if family is None or table is None:
-        return None
-    result: Actuator | None = problems.attempt(
-        key, lambda: family(**fields_of_table(table)), fields=[item.name for item in fields(family)]
-    )
-    return result
+    """Read ``[actuator]``: a type and its dimensions; or the bodies that stand for it."""
+    if isinstance(values, Mapping) and values.get("type") == ASSEMBLY:
+        return read_bodies(values.get("bodies"), values.get("mesh", {}), problems)
+    return read_part(values, problems, ("actuator",))
 
 
 def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> MeshTable | None:
@@ -52,7 +37,7 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
     if table is None or geometry is None:
         return table
     if isinstance(geometry.shape, MeshedShape):
-        if set(values) - {"imperfection"}:
+        if set(values) - set(LATER if geometry.shape.bodies else ("imperfection",)):
             problems.add(key, "the actuator is a mesh already; leave the table [mesh] out, or mesh the part again.")
         return table.model_copy(update={"size": geometry.extent})
     cells = chosen_cells(geometry, table.settings)

@@ -18,6 +18,7 @@ from turgor.core.model.supports import Displacement, Fixed, Foundation, Roller, 
 from turgor.foundation.registry import Registry, class_of_file
 from turgor.foundation.round_off import ROUND_OFF
 from turgor.job.tables.obstacles import Lengths
+from turgor.job.text.body_names import by_body
 from turgor.job.text.lines import Key
 from turgor.job.text.load_values import Points
 from turgor.job.text.place_table import PLACES, PlaceTable, face_or_set, lacks_faces
@@ -80,6 +81,7 @@ def read_supports(values: Any, geometry: Geometry | None, problems: Problems) ->
     if not isinstance(values, Mapping):
         problems.add(("supports",), f"{shown(values)} is not a table; write [supports] and faces below it.")
         return ()
+    values, problems = by_body("supports", values, geometry, problems)
     supports: list[Support] = []
     by_text = stated_supports()
     for face, stated in values.items():

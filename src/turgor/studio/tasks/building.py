@@ -6,7 +6,7 @@ from typing import Any
 
 from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.meshing.exchange.mesh_file import MeshFile
+from turgor.job.job import MESHED
 from turgor.job.tables.sections import read_actuator
 from turgor.job.text.problems import Problems
 
@@ -16,7 +16,7 @@ def built(table: Mapping[str, Any], problems: Problems) -> Geometry | None:
     actuator = read_actuator(table, problems)
     if actuator is None:
         return None
-    if isinstance(actuator, CadFile | MeshFile) or not isinstance(actuator, Hashable):
+    if isinstance(actuator, (CadFile, *MESHED)) or not isinstance(actuator, Hashable):
         return problems.attempt(("actuator",), actuator.build)
     return problems.attempt(("actuator",), partial(_of_family, actuator))
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.toml_text import read_text, read_toml
+from turgor.job.tables.bodies.body_tables import ASSEMBLY, LATER
 from turgor.job.tables.mesh_files import MESH_FILE
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import Problems
@@ -70,6 +71,9 @@ def actuator_in(content: dict[str, Any]) -> dict[str, Any]:
     {'type': 'mesh_file', 'file': 'finger.msh'}
     """
     mesh = table_in(content, "mesh")
+    if "bodies" in content:
+        stated = {key: value for key, value in mesh.items() if key not in LATER}
+        return {"type": ASSEMBLY, "bodies": table_in(content, "bodies"), "mesh": stated}
     if "actuator" not in content and "file" in mesh:
         return {"type": MESH_FILE, **mesh}
     return table_in(content, "actuator")

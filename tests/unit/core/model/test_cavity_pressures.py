@@ -340,7 +340,7 @@ history = [[0, 0], [0.5, 1], [1, 0.5]]
 @pytest.fixture
 def family(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(turgor.job.job, "ACTUATORS", {"twin": Twin})
-    monkeypatch.setattr("turgor.job.tables.sections.ACTUATORS", {"twin": Twin})
+    monkeypatch.setattr("turgor.job.tables.bodies.body_tables.ACTUATORS", {"twin": Twin})
 
 
 def read(folder: Path, loads: str, at: str = "0.1") -> Job:

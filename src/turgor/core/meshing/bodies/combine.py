@@ -51,6 +51,22 @@ def together(bodies: Mapping[str, Mesh]) -> Mesh:
     >>> pair.cavities, pair.symmetry_faces
     (('cavity_lower', 'cavity_upper'), ('symmetry_y',))
     """
+    if len(bodies) < 2:
+        raise TurgorError(f"together: {len(bodies)} body given; at least two are needed.")
+    return combined(bodies)
+
+
+def combined(bodies: Mapping[str, Mesh]) -> Mesh:
+    """Put meshes into one as `together` does; there may be one only, which gets its name in the same way.
+
+    Parameters
+    ----------
+    bodies : mapping of str to Mesh
+
+    Returns
+    -------
+    Mesh
+    """
     for mesh in bodies.values():
         refuse_wedge(mesh)
     _check_bodies(bodies)
@@ -97,8 +113,6 @@ def _node_numbers(meshes: list[Mesh]) -> list[NDArray[np.int64]]:
 
 
 def _check_bodies(bodies: Mapping[str, Mesh]) -> None:
-    if len(bodies) < 2:
-        raise TurgorError(f"together: {len(bodies)} body given; at least two are needed.")
     for body in bodies:
         if not re.fullmatch("[A-Za-z0-9_]+", body):
             raise TurgorError(f"body '{body}': a name holds letters, digits and underscores only.")

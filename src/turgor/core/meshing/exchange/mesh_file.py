@@ -33,9 +33,15 @@ class MeshedShape:
     Parameters
     ----------
     mesh : Mesh
+    bodies : mapping of str to mapping
+        Of a mesh of several bodies: for each of them its own names of regions and faces, with those in the mesh.
+    groups : mapping of str to tuple of str
+        Bodies that are copies of one, by its name.
     """
 
     mesh: Mesh
+    bodies: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    groups: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     @property
     def bounding_box(self) -> tuple[Corner, Corner]:
@@ -148,16 +154,33 @@ class MeshFile:
         mesh = self.read()
         corners = six_node_triangles(outer_triangles(mesh))[:, :3]
         extent = float(np.ptp(mesh.points, axis=0).max())
-        return Geometry(
-            name=mesh.name,
-            smallest_wall=min(thinnest_wall(mesh.points[corners], most=WALLS.fewest)[0], extent),
-            cavity_volumes={name: -_enclosed(mesh, mesh.faces[name]) for name in mesh.cavities},
-            solid_volume=_enclosed(mesh, outer_triangles(mesh)),
-            regions=tuple(mesh.regions),
-            faces=tuple(sorted(mesh.faces)),
-            node_sets=tuple(sorted(mesh.node_sets)),
-            shape=MeshedShape(mesh),
-        )
+        wall = min(thinnest_wall(mesh.points[corners], most=WALLS.fewest)[0], extent)
+        return meshed_geometry(MeshedShape(mesh), wall)
+
+
+def meshed_geometry(shape: MeshedShape, smallest_wall: float) -> Geometry:
+    """Give a mesh the form of a geometry, whose names and volumes are those of the mesh.
+
+    Parameters
+    ----------
+    shape : MeshedShape
+    smallest_wall : float [m]
+
+    Returns
+    -------
+    Geometry
+    """
+    mesh = shape.mesh
+    return Geometry(
+        name=mesh.name,
+        smallest_wall=smallest_wall,
+        cavity_volumes={name: -_enclosed(mesh, mesh.faces[name]) for name in mesh.cavities},
+        solid_volume=_enclosed(mesh, outer_triangles(mesh)),
+        regions=tuple(mesh.regions),
+        faces=tuple(sorted(mesh.faces)),
+        node_sets=tuple(sorted(mesh.node_sets)),
+        shape=shape,
+    )
 
 
 def _enclosed(mesh: Mesh, sides: Ints) -> float:

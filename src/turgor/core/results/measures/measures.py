@@ -13,6 +13,7 @@ from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.faces import surfaces
 from turgor.core.engine.points.foundation_term import foundation_force
 from turgor.core.geometry.names import measured_faces
+from turgor.core.meshing.bodies.named import named_bodies
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.proximity import smallest_gap as smallest_gap_between
 from turgor.core.model.drive import common_pressure, pressures_at
@@ -39,6 +40,7 @@ from turgor.core.results.measures.field_measures import (
     principal_stretch_p99,
     von_mises_p99,
 )
+from turgor.core.results.measures.grasping.grasp_measures import grasp_measure, grasp_measures_of
 from turgor.core.results.measures.measure import Measure as Measure
 from turgor.core.results.measures.measure import measures_of
 from turgor.core.results.measures.point_measures import fixed_points_force, point_measure, point_measures_of
@@ -137,7 +139,9 @@ def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Me
     mesh = solution.model.mesh
     fitting = fitting_measures(measured_faces(mesh.faces, mesh.cavities))
     standard = tuple(measures) in ((), STANDARD_MEASURES, fitting)
-    own = (*point_measures_of(solution.model), *contact_measures_of(solution), *openings_of(solution.model))
+    model = solution.model
+    contact = (*contact_measures_of(solution), *grasp_measures_of(solution))
+    own = (*point_measures_of(model), *contact, *openings_of(model))
     requested = (*_with_value(fitting, StateFields(solution.states[0])), *own) if standard else measures
     return _with_parts(requested, mesh)
 
@@ -218,17 +222,10 @@ def find_measure(name: str) -> Measure:
     """
     if name in MEASURES:
         return MEASURES[name]
-    regional = in_region(name)
-    if regional is not None:
-        return regional
-    of_a_bond = bond_measure(name)
-    if of_a_bond is not None:
-        return of_a_bond
-    if name.startswith("cavity_") and name.endswith("_volume"):
-        return volume_of(name.removesuffix("_volume"))
-    of_a_point = point_measure(name)
-    if of_a_point is not None:
-        return of_a_point
+    for called in (in_region, bond_measure, _of_cavity, point_measure, grasp_measure):
+        measure = called(name)
+        if measure is not None:
+            return measure
     if name.endswith("_contact_area"):
         return area_on(name.removesuffix("_contact_area"))
     if name.endswith("_force"):
@@ -236,6 +233,12 @@ def find_measure(name: str) -> Measure:
     if name.endswith("_moment"):
         return moment_on(name.removesuffix("_moment"))
     raise unknown("measure", name, MEASURES, MEANT)
+
+
+def _of_cavity(name: str) -> Measure | None:
+    """Return the volume of one cavity of a name such as ``cavity_1_volume``."""
+    is_one = name.startswith("cavity_") and name.endswith("_volume")
+    return volume_of(name.removesuffix("_volume")) if is_one else None
 
 
 def volume_of(cavity: str) -> Measure:
@@ -345,7 +348,8 @@ def support_force(at: StateFields) -> Array:
             for direction in directions:
                 fixed[nodes, "xyz".index(direction)] = True
     nodes, across = across_fixed(*radial_normals(at.model, moved=False), fixed)
-    if not fixed.any() and not len(nodes) and not any(any(support.bedding) for support in at.model.supports):
+    supported = fixed.any() or len(nodes) or any(any(support.bedding) for support in at.model.supports)
+    if not supported and not at.model.points and not named_bodies(at.mesh):  # which may be loose
         raise TurgorError("the model has no support Fixed, Radial, Roller or Foundation whose force could be summed.")
     force = np.where(fixed, at.state.nodal_force, 0.0)
     np.add.at(force, nodes, np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across)

@@ -1,13 +1,13 @@
 """Checks before a solve: rigid motions left free, everything fixed, cavities without a pressure."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.boundary import PrescribedComponents, prescribed_components
 from turgor.core.engine.points.bearing_term import stopped
-from turgor.core.engine.points.point_unknowns import with_carrier_points
+from turgor.core.engine.points.point_unknowns import Carrier, with_carrier_points
 from turgor.core.meshing.bodies.bodies import Body, find_bodies
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles
@@ -29,7 +29,7 @@ def check_supports(model: Model, inertia: bool = False) -> None:
     """
     supports = prescribed_components(model)
     surface = np.unique(outer_triangles(model.mesh))
-    bodies = find_bodies(model.mesh)
+    bodies = joined(find_bodies(model.mesh), supports.carriers)
     for body in bodies:
         free = 0 if inertia else 6 - _fixed_motions(model, supports, body)
         if free and len(bodies) == 1:
@@ -63,7 +63,34 @@ def free_motions(model: Model) -> int:
     int
     """
     supports = prescribed_components(model)
-    return sum(6 - _fixed_motions(model, supports, body) for body in find_bodies(model.mesh))
+    bodies = joined(find_bodies(model.mesh), supports.carriers)
+    return sum(6 - _fixed_motions(model, supports, body) for body in bodies)
+
+
+def joined(bodies: Sequence[Body], carriers: Sequence[Carrier]) -> tuple[Body, ...]:
+    """Put bodies together that a rigid plate joins: a reference point whose face has nodes of several.
+
+    Parameters
+    ----------
+    bodies : sequence of Body
+    carriers : sequence of Carrier
+
+    Returns
+    -------
+    tuple of Body
+    """
+    out = list(bodies)
+    for each in carriers:
+        parts = [body for body in out if np.isin(each.nodes, body.nodes).any()]
+        if each.rigid and len(parts) > 1:
+            whole = Body(
+                cells=np.concatenate([body.cells for body in parts]),
+                nodes=np.unique(np.concatenate([body.nodes for body in parts])),
+                regions=tuple(name for body in parts for name in body.regions),
+                faces=tuple(name for body in parts for name in body.faces),
+            )
+            out = [body for body in out if body not in parts] + [whole]
+    return tuple(out)
 
 
 def _fixed_motions(model: Model, supports: PrescribedComponents, body: Body) -> int:

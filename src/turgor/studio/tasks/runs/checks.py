@@ -71,13 +71,13 @@ def coarse_changes(job: "Job", content: dict[str, Any]) -> list[str]:
 
     Where walls decide the size, tetrahedra need fewer unknowns than hexahedra, but for chambers in a row.
     """
-    from turgor.core.meshing.exchange.mesh_file import MeshFile
     from turgor.core.meshing.sizing.default_size import default_size
     from turgor.core.meshing.sweeping.section import Fineness
     from turgor.core.meshing.sweeping.swept import is_grid_row
+    from turgor.job.job import MESHED
 
     changes = [f"output.{key}=false" for key in ("pictures", "report", "fields", "mesh_error")]
-    if isinstance(job.actuator, MeshFile):
+    if isinstance(job.actuator, MESHED):
         return changes
     changes.append("mesh.quality=draft")
     if job.mesh.wall_cells != 1:

@@ -18,6 +18,10 @@ STIFFEST_RUBBER = 20e6
 RIGID = 30.0
 
 
+#: Material of the inside of rigid bodies, whose density follows from a mass: it may be hollow, or a metal.
+RIGID_BODY = "rigid body"
+
+
 def rubber_modulus(question: Question) -> Iterator[Magnitude]:
     """Initial shear modulus of every region's law but those of stiff parts and of foams [Pa]."""
     return (_of(each, each.law.shear_modulus) for each, stiff in _solids(question) if not (stiff or each.is_foam))
@@ -51,7 +55,7 @@ def locking_stretch(question: Question) -> Iterator[Magnitude]:
 def rubber_density(question: Question) -> Iterator[Magnitude]:
     """Density of every region's rubber that states one and is no foam [kg/m³]."""
     rubbers = (each for each, stiff in _solids(question) if not stiff and not each.is_foam)
-    return (_of(each, each.density) for each in rubbers if each.density is not None)
+    return (_of(each, each.density) for each in rubbers if each.density is not None and each.name != RIGID_BODY)
 
 
 def stiff_density(question: Question) -> Iterator[Magnitude]:
