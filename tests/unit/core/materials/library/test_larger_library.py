@@ -225,3 +225,9 @@ def test_densities_of_rubbers_are_those_of_rubber() -> None:
     assert len(densities) >= 38
     assert all(930 <= density <= 1300 for density in densities.values()), densities
     assert densities["ninjaflex-85a"] == 1190 and densities["natural-rubber"] == 950
+
+
+def test_mixing_and_cure_come_with_their_source_once() -> None:
+    """Where no stress of the supplier states it above, the line of the mixing does."""
+    assert "mixing: 1A:1B by volume (Smooth-On, tutorial of a brush-on mold" in describe_material("rebound-25")
+    assert "mixing: 1A:1B by weight or volume\n" in describe_material("ecoflex-00-30")
