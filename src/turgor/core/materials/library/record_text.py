@@ -130,7 +130,9 @@ def _heading(record: Record) -> Iterator[str]:
             yield f"supplier: nominal stress at stretch 2 is {stress} ({supplier.source})"
         if supplier.modulus is not None:
             yield f"supplier: Young's modulus is {supplier.modulus / 1e9:.3g} GPa ({supplier.source})"
-        yield from (f"{what}: {text}" for what, text in (("mixing", supplier.mixing), ("cure", supplier.cure)) if text)
+        cited = supplier.stress_at_stretch_2 is not None or supplier.modulus is not None
+        recipe = [f"{what}: {text}" for what, text in (("mixing", supplier.mixing), ("cure", supplier.cure)) if text]
+        yield from (line if cited else f"{line} ({supplier.source})" for line in recipe)
         yield from supplier.doubts
     if record.strength is not None:
         yield from _strength_lines(record.strength)

@@ -216,3 +216,18 @@ def test_the_text_of_a_material_checks_each_set_against_the_maker() -> None:
     assert "check: 324 kPa at stretch 2, 4 % below the maker's 338 kPa" in shown
     assert "check" not in describe_material("ecoflex-00-20")  # computed from this number
     assert "recommended: The only set: fitted by turgor to a curve" in describe_material("mold-star-16")
+
+
+def test_densities_of_rubbers_are_those_of_rubber() -> None:
+    """A slip by ten or by a unit shows: from natural rubber and acrylic tape to filled silicone."""
+    stated = [record for record in all_records() if record.kind == "rubber" and record.density]
+    densities = {record.library: record.density for record in stated}
+    assert len(densities) >= 38
+    assert all(930 <= density <= 1300 for density in densities.values()), densities
+    assert densities["ninjaflex-85a"] == 1190 and densities["natural-rubber"] == 950
+
+
+def test_mixing_and_cure_come_with_their_source_once() -> None:
+    """Where no stress of the supplier states it above, the line of the mixing does."""
+    assert "mixing: 1A:1B by volume (Smooth-On, tutorial of a brush-on mold" in describe_material("rebound-25")
+    assert "mixing: 1A:1B by weight or volume\n" in describe_material("ecoflex-00-30")

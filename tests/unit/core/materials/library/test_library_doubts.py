@@ -22,9 +22,11 @@ FAR, BORROWED, UNSTABLE = ("M04", "far from the supplier"), ("M04", "borrowed"),
 NEGATIVE_ELSEWHERE, SETTLED = ("M05", "wrong convention negative"), ("M05", "convention settled")
 AMBIGUOUS, SECANT, DENSITY = ("M05", "convention ambiguous"), ("M07", "linear elastic rubber"), ("M04", "density")
 
-#: Rubbers whose density has not been checked against the supplier's bulletin.
+#: Rubbers whose density has not been checked against the supplier's bulletin, or is that of a class or another version.
 DENSITY_UNCHECKED = {
-    "elastosil-m4601", "smooth-sil-950", "ninjaflex-85a", "ninjatek-cheetah", "polymaker-tpu90", "overture-hs-tpu",
+    "elastosil-m4601", "smooth-sil-950", "polymaker-tpu90", "overture-hs-tpu", "ninjatek-eel", "hatchbox-tpu",
+    "sainsmart-tpu", "matterhackers-tpu", "overture-tpu", "formlabs-elastic-50a", "formlabs-flexible-80a", "rtv615",
+    "sylgard-184", "natural-rubber", "natural-rubber-unfilled", "isoprene-rubber",
 }  # fmt: skip
 
 #: Every other doubt about records of the review; those that are not here have none.
