@@ -18,10 +18,11 @@ from turgor.job.decks.loads import loads_of
 from turgor.job.decks.materials import materials_of
 from turgor.job.decks.mirrors import take_mirrors
 from turgor.job.decks.names import MeshNames
-from turgor.job.decks.parts import check_ties, entries_of
+from turgor.job.decks.parts import check_ties, entries_of, plane_table
 from turgor.job.decks.steps import Path as DeckPath
 from turgor.job.decks.steps import path_of
 from turgor.job.decks.supports import supports_of
+from turgor.job.decks.temperatures import initial_of, is_heated, temperatures_of
 from turgor.job.decks.units import USUAL, DeckUnits
 from turgor.job.output.lock import material_table
 from turgor.job.tables.loads import loads_table
@@ -34,7 +35,7 @@ _UNUSED = frozenset(
      "contact print", "contact file", "contact output", "section print", "preprint", "restart", "controls", "monitor",
      "part", "end part", "assembly", "end assembly", "instance", "end instance", "include", "step", "static", "visco",
      "time points", "print", "energy print", "energy output", "energy file", "no analysis", "section controls",
-     "orientation", "filter", "history output")
+     "orientation", "filter", "history output", "physical constants")
 )  # fmt: skip
 
 
@@ -122,21 +123,26 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
     units = units or stated_units(file) or USUAL
     scale = DeckUnits.of(units)
     if not deck.solids:
-        raise TurgorError(f"'{file}' has no solid cells; bodies are solids here, and sheets lie on their faces.")
+        raise TurgorError(
+            f"'{file}' has no solid or plane cells; bodies are solids here, and sheets lie on their faces."
+        )
     names = MeshNames(deck)
-    materials = materials_of(deck.model, scale, account)
+    materials = materials_of(deck.model, scale, account, heated=is_heated(deck))
     entries = entries_of(deck, materials, names, scale, account)
-    way = path_of(deck, account)
+    way = path_of(deck, initial_of(deck, account), account)
     axes, images = axes_of(deck, deck.model, account), take_mirrors(way, names)
     supports = supports_of(way, names, axes, scale, account)
-    loads = loads_of(way, names, axes, scale, account, images)
+    loads = (
+        *loads_of(way, names, axes, scale, account, images),
+        *temperatures_of(way, names, entries, account),
+    )
     check_ties(deck, account)
     contact = contact_of(deck, scale, account)
     names.add_others()
     _account_rest(deck, account)
     content = {
         "name": file.stem,
-        "mesh": {"file": f"{file.stem}-mesh.inp", "unit": scale.word},
+        "mesh": {"file": f"{file.stem}-mesh.inp", "unit": scale.word, **plane_table(deck, scale, account)},
         "materials": {name: material_table(entry) for name, entry in entries.items()},
         "supports": supports_table(supports),
         "loads": loads_table(loads),
