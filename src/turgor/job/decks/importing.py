@@ -15,6 +15,7 @@ from turgor.job.decks.deck import Deck, read_deck
 from turgor.job.decks.directions import axes_of
 from turgor.job.decks.febio.reading import stated_units
 from turgor.job.decks.loads import loads_of
+from turgor.job.decks.loose import has_loose_body
 from turgor.job.decks.materials import materials_of
 from turgor.job.decks.mirrors import take_mirrors
 from turgor.job.decks.names import MeshNames
@@ -130,14 +131,16 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
     materials = materials_of(deck.model, scale, account, heated=is_heated(deck))
     entries = entries_of(deck, materials, names, scale, account)
     way = path_of(deck, initial_of(deck, account), account)
-    axes, images = axes_of(deck, deck.model, account), take_mirrors(way, names)
+    axes, contact = axes_of(deck, deck.model, account), contact_of(deck, scale, account)
+    if contact["self_contact"] and has_loose_body(way, axes):
+        _stabilize(way, account)
+    images = take_mirrors(way, names)
     supports = supports_of(way, names, axes, scale, account)
     loads = (
         *loads_of(way, names, axes, scale, account, images),
         *temperatures_of(way, names, entries, account),
     )
     check_ties(deck, account)
-    contact = contact_of(deck, scale, account)
     names.add_others()
     _account_rest(deck, account)
     content = {
@@ -173,11 +176,20 @@ def _head(file: Path, units: str, rows: Iterable[DeckRow]) -> str:
     return "\n".join(line.replace("\n", " ") for line in lines) + "\n\n"
 
 
+def _stabilize(way: DeckPath, account: Account) -> None:
+    """Let a body that contact alone stops come to rest."""
+    keyword = next((each for step in way.deck.steps for each in step if each.name == "static"), None)
+    if keyword is not None and not way.relaxes and not way.arc_length:
+        way.stabilized = True
+        account.taken(keyword, "procedure 'stabilized', because contact alone stops a body")
+
+
 def _procedure(way: DeckPath) -> dict[str, Any]:
     """Load control to the end of the last step, which hits the end of each."""
     total = way.ends[-1] if way.ends else 1.0
     at = [round(end / total, 12) for end in way.ends[:-1]]
-    values: dict[str, Any] = {"type": "arc_length" if way.arc_length else "static"}
+    kind = "arc_length" if way.arc_length else "stabilized" if way.stabilized else "static"
+    values: dict[str, Any] = {"type": kind}
     if at and not way.arc_length:
         values["at"] = at
     if way.relaxes:

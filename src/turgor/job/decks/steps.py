@@ -51,8 +51,8 @@ class Path:
         What moves and loads.
     ends : list of float [s]
         Ends of the steps so far.
-    relaxes, arc_length : bool
-        Whether a step takes time, and whether one follows limit points.
+    relaxes, arc_length, stabilized : bool
+        Whether a step takes time, whether one follows limit points, and whether contact alone stops a body.
     """
 
     deck: Deck
@@ -64,6 +64,7 @@ class Path:
     ends: list[float] = field(default_factory=list)
     relaxes: bool = False
     arc_length: bool = False
+    stabilized: bool = False
 
 
 def path_of(deck: Deck, initial: dict[int, float], account: Account) -> Path:

@@ -9,6 +9,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.materials.material import Material
 from turgor.core.meshing.exchange.formats.abaqus import Keyword
 from turgor.core.model.history import RAMP, History
 from turgor.core.model.loads import Load, Temperature
@@ -47,7 +48,8 @@ def temperatures_of(path: Path, names: MeshNames, entries: Entries, account: Acc
     if not rises:
         return
     keyword: Keyword = next(iter(path.tracks.keywords[HEAT, node] for node in rises))
-    for name in (name for name, entry in entries.items() if getattr(entry, "material", entry).expansion):
+    materials = {name: each if isinstance(each, Material) else each.material for name, each in entries.items()}
+    for name in (name for name, material in materials.items() if material.expansion):
         nodes = _nodes(names, name)
         alike: set[tuple[float, History]] = {
             rises[node].history() if node in rises else (0.0, RAMP) for node in nodes.tolist()
