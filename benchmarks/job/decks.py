@@ -96,7 +96,8 @@ def compared(solution: tg.Solution, deck: Path, reference: str, length: float) -
     """Number of printed states, and the largest difference of displacements over the largest displacement."""
     from scipy.spatial import cKDTree
 
-    place = read_deck(deck).place
+    read = read_deck(deck)
+    place = {node: read.place[node] for node in read.solid_nodes.tolist()}  # what others print may be turns
     mesh = solution.model.mesh
     tree = cKDTree(mesh.points)
     blocks = printed(reference)

@@ -138,10 +138,24 @@ class Deck:
             outer.append(sides[first[count == 1]])
         return outer
 
+    @cached_property
+    def _references(self) -> frozenset[int]:
+        """Nodes of rigid bodies, which need no coordinates where they turn."""
+        bodies = (each for each in self.model if each.name == "rigid body")
+        return frozenset(node for each in bodies for node in self.reference_nodes(each))
+
+    def reference_nodes(self, keyword: Keyword) -> tuple[int, int]:
+        """Return the reference node of a rigid body and the node that states its turns; 0 where there is none."""
+        given = {key.replace(" ", ""): value for key, value in keyword.given.items()}
+        words = (given.get(key, "") for key in ("refnode", "rotnode"))
+        first, second = (int(word) if word.isdigit() else 0 for word in words)
+        return first, second
+
     def nodes(self, word: str) -> Ints | None:
         """Numbers of the nodes that a line names by a number or a set; None for an unknown one."""
         if word.isdigit():
-            return np.array([int(word)], dtype=np.int64) if int(word) in self.place else None
+            known = int(word) in self.place or int(word) in self._references
+            return np.array([int(word)], dtype=np.int64) if known else None
         return self.node_sets.numbers(word.strip('"'))
 
     def cells(self, word: str) -> Ints | None:

@@ -20,6 +20,7 @@ from turgor.job.decks.materials import materials_of
 from turgor.job.decks.mirrors import take_mirrors
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.parts import check_ties, entries_of, plane_table
+from turgor.job.decks.rigid import points_of
 from turgor.job.decks.steps import Path as DeckPath
 from turgor.job.decks.steps import path_of
 from turgor.job.decks.supports import supports_of
@@ -140,6 +141,7 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
         *loads_of(way, names, axes, scale, account, images),
         *temperatures_of(way, names, entries, account),
     )
+    points = points_of(way, names, scale, account)
     check_ties(deck, account)
     names.add_others()
     _account_rest(deck, account)
@@ -148,6 +150,7 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
         "mesh": {"file": f"{file.stem}-mesh.inp", "unit": scale.word, **plane_table(deck, scale, account)},
         "materials": {name: material_table(entry) for name, entry in entries.items()},
         "supports": supports_table(supports),
+        "points": points,
         "loads": loads_table(loads),
         "contact": contact,
         "procedure": _procedure(way),
