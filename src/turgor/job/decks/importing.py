@@ -15,16 +15,16 @@ from turgor.job.decks.deck import Deck, read_deck
 from turgor.job.decks.directions import axes_of
 from turgor.job.decks.febio.reading import stated_units
 from turgor.job.decks.loads import loads_of
-from turgor.job.decks.loose import has_loose_body
 from turgor.job.decks.materials import materials_of
 from turgor.job.decks.mirrors import take_mirrors
+from turgor.job.decks.motions.loose import has_loose_body
+from turgor.job.decks.motions.rigid import points_of
+from turgor.job.decks.motions.temperatures import initial_of, is_heated, temperatures_of
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.parts import check_ties, entries_of, plane_table
-from turgor.job.decks.rigid import points_of
 from turgor.job.decks.steps import Path as DeckPath
 from turgor.job.decks.steps import path_of
 from turgor.job.decks.supports import supports_of
-from turgor.job.decks.temperatures import initial_of, is_heated, temperatures_of
 from turgor.job.decks.units import USUAL, DeckUnits
 from turgor.job.output.lock import material_table
 from turgor.job.tables.loads import loads_table
