@@ -4,7 +4,7 @@ python benchmarks/job/decks.py FOLDER      the tables of decks.md; FOLDER has NA
 python benchmarks/job/decks.py FOLDER beamnh beamog      some decks only
 
 The collection is in the Debian package calculix-ccx-test (GPL), or at www.dhondt.de as ccx_2.20.test.tar.bz2. A deck is
-in scope if it is static, three-dimensional and of solids; displacements that it prints are compared with those of
+in scope if it is static and of solid or plane cells; displacements that it prints are compared with those of
 turgor at the same nodes and the ends of the same steps.
 """
 
@@ -96,7 +96,8 @@ def compared(solution: tg.Solution, deck: Path, reference: str, length: float) -
     """Number of printed states, and the largest difference of displacements over the largest displacement."""
     from scipy.spatial import cKDTree
 
-    place = read_deck(deck).place
+    read = read_deck(deck)
+    place = {node: read.place[node] for node in read.solid_nodes.tolist()}  # what others print may be turns
     mesh = solution.model.mesh
     tree = cKDTree(mesh.points)
     blocks = printed(reference)

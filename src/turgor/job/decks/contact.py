@@ -89,6 +89,9 @@ def _take_behavior(state: _Contact, keyword: Keyword) -> str:
 def _take_pair(state: _Contact, keyword: Keyword) -> str:
     words = words_of(keyword.lines[0])
     slave, master = words[0], words[-1]
+    adjust = keyword.given.get("adjust", "0")
+    if any(each not in "0." for each in adjust):
+        raise TurgorError(f"ADJUST={adjust} moves nodes onto the other surface, which has no form here; mesh them so.")
     for name in (slave, master):
         if not len(nodes_of_surface(state.deck, name)):
             raise TurgorError(f"surface '{name}' is none of solid cells; rigid surfaces have no form here.")

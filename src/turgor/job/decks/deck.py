@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from turgor.core.meshing.exchange.formats.abaqus import Content, Keyword, content_of, keywords_of
 from turgor.core.meshing.exchange.formats.abaqus_sets import SIDES, CellTable, NumberSets
-from turgor.core.meshing.exchange.formats.raw import KINDS
+from turgor.core.meshing.exchange.formats.raw import KINDS, numbers
 from turgor.foundation.errors import TurgorError
 from turgor.job.decks.febio.reading import keywords_of_febio
 
@@ -18,6 +18,9 @@ Ints = NDArray[np.int64]
 
 #: Keywords that begin and end a step.
 _STEP, _END = "step", ("end step", "endstep")
+
+#: Types of plane cells: plane strain, bodies of revolution about y, and plane stress, which has no form here.
+STRAIN, ROUND, STRESS = "CPE", "CAX", "CPS"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -51,14 +54,34 @@ class Deck:
         return dict(zip(self.content.node_ids, self.content.points, strict=True))
 
     @cached_property
+    def plane(self) -> str:
+        """Type of the plane cells of a plane model; empty for others."""
+        if not self.content.plane or any(KINDS[kind].dimension == 3 for kind in self._cells):
+            return ""
+        types = [each.given.get("type", "").upper()[:3] for each in self.model if each.name == "element"]
+        return next(each for each in types if each in (STRAIN, ROUND, STRESS))
+
+    @cached_property
+    def thickness(self) -> float:
+        """Thickness of a plane model, in the unit of the deck: that of its first section, 1 where it states none."""
+        lines = (line for each in self.model if each.name == "solid section" for line in each.lines)
+        return next((numbers(line, self.path, "a thickness")[0] for line in lines), 1.0)
+
+    @property
+    def freedoms(self) -> tuple[int, ...]:
+        """Degrees of freedom of its nodes."""
+        return (1, 2) if self.plane else (1, 2, 3)
+
+    @cached_property
     def solids(self) -> dict[str, Ints]:
-        """Rows (number, nodes …) of the solid cells of each kind."""
-        return {kind: rows for kind, rows in self._cells.items() if KINDS[kind].dimension == 3}
+        """Rows (number, nodes …) of the solid cells of each kind; of a plane model all cells."""
+        dimension = 2 if self.plane else 3
+        return {kind: rows for kind, rows in self._cells.items() if KINDS[kind].dimension == dimension}
 
     @cached_property
     def sheets(self) -> dict[str, Ints]:
         """Rows (number, nodes …) of the flat cells of each kind."""
-        return {kind: rows for kind, rows in self._cells.items() if KINDS[kind].dimension == 2}
+        return {} if self.plane else {kind: r for kind, r in self._cells.items() if KINDS[kind].dimension == 2}
 
     @cached_property
     def _cells(self) -> dict[str, Ints]:
@@ -96,17 +119,17 @@ class Deck:
     @cached_property
     def cell_table(self) -> CellTable:
         """Corners of the cells, by the numbers of their nodes."""
-        table = CellTable()
+        table = CellTable(plane=self.content.plane)
         for kind, rows in self._cells.items():
             table.add(KINDS[kind].dimension, rows[:, 0], rows[:, 1 : 1 + KINDS[kind].corners])
         return table
 
     @cached_property
     def outer_sides(self) -> list[Ints]:
-        """Corners of the sides that bound one solid cell only, for three and for four corners."""
-        every: dict[int, list[Ints]] = {3: [], 4: []}
+        """Corners of the sides that bound one cell only, for two, three and four corners."""
+        every: dict[int, list[Ints]] = {2: [], 3: [], 4: []}
         for kind, rows in self.solids.items():
-            for side in SIDES.get(KINDS[kind].corners, ()):
+            for side in sides_of(kind):
                 every[len(side)].append(rows[:, 1:][:, list(side)])
         outer = []
         for width, parts in every.items():
@@ -115,10 +138,24 @@ class Deck:
             outer.append(sides[first[count == 1]])
         return outer
 
+    @cached_property
+    def _references(self) -> frozenset[int]:
+        """Nodes of rigid bodies, which need no coordinates where they turn."""
+        bodies = (each for each in self.model if each.name == "rigid body")
+        return frozenset(node for each in bodies for node in self.reference_nodes(each))
+
+    def reference_nodes(self, keyword: Keyword) -> tuple[int, int]:
+        """Return the reference node of a rigid body and the node that states its turns; 0 where there is none."""
+        given = {key.replace(" ", ""): value for key, value in keyword.given.items()}
+        words = (given.get(key, "") for key in ("refnode", "rotnode"))
+        first, second = (int(word) if word.isdigit() else 0 for word in words)
+        return first, second
+
     def nodes(self, word: str) -> Ints | None:
         """Numbers of the nodes that a line names by a number or a set; None for an unknown one."""
         if word.isdigit():
-            return np.array([int(word)], dtype=np.int64) if int(word) in self.place else None
+            known = int(word) in self.place or int(word) in self._references
+            return np.array([int(word)], dtype=np.int64) if known else None
         return self.node_sets.numbers(word.strip('"'))
 
     def cells(self, word: str) -> Ints | None:
@@ -177,6 +214,12 @@ def read_deck(path: Path) -> Deck:
         raise
     except (ArithmeticError, LookupError, TypeError, ValueError) as error:  # what a parser stumbles over
         raise TurgorError(f"'{path}' cannot be read, the deck seems damaged ({error}).") from error
+
+
+def sides_of(kind: str) -> tuple[tuple[int, ...], ...]:
+    """Return the corners of the sides of a kind of cell: S1, S2, …; edges of plane ones."""
+    count = KINDS[kind].corners
+    return tuple((k, (k + 1) % count) for k in range(count)) if KINDS[kind].dimension == 2 else SIDES.get(count, ())
 
 
 def words_of(line: str) -> list[str]:

@@ -17,8 +17,11 @@ from turgor.job.decks.febio.reading import stated_units
 from turgor.job.decks.loads import loads_of
 from turgor.job.decks.materials import materials_of
 from turgor.job.decks.mirrors import take_mirrors
+from turgor.job.decks.motions.loose import has_loose_body
+from turgor.job.decks.motions.rigid import points_of
+from turgor.job.decks.motions.temperatures import initial_of, is_heated, temperatures_of
 from turgor.job.decks.names import MeshNames
-from turgor.job.decks.parts import check_ties, entries_of
+from turgor.job.decks.parts import check_ties, entries_of, plane_table
 from turgor.job.decks.steps import Path as DeckPath
 from turgor.job.decks.steps import path_of
 from turgor.job.decks.supports import supports_of
@@ -34,7 +37,7 @@ _UNUSED = frozenset(
      "contact print", "contact file", "contact output", "section print", "preprint", "restart", "controls", "monitor",
      "part", "end part", "assembly", "end assembly", "instance", "end instance", "include", "step", "static", "visco",
      "time points", "print", "energy print", "energy output", "energy file", "no analysis", "section controls",
-     "orientation", "filter", "history output")
+     "orientation", "filter", "history output", "physical constants")
 )  # fmt: skip
 
 
@@ -122,23 +125,32 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
     units = units or stated_units(file) or USUAL
     scale = DeckUnits.of(units)
     if not deck.solids:
-        raise TurgorError(f"'{file}' has no solid cells; bodies are solids here, and sheets lie on their faces.")
+        raise TurgorError(
+            f"'{file}' has no solid or plane cells; bodies are solids here, and sheets lie on their faces."
+        )
     names = MeshNames(deck)
-    materials = materials_of(deck.model, scale, account)
+    materials = materials_of(deck.model, scale, account, heated=is_heated(deck))
     entries = entries_of(deck, materials, names, scale, account)
-    way = path_of(deck, account)
-    axes, images = axes_of(deck, deck.model, account), take_mirrors(way, names)
+    way = path_of(deck, initial_of(deck, account), account)
+    axes, contact = axes_of(deck, deck.model, account), contact_of(deck, scale, account)
+    if contact["self_contact"] and has_loose_body(way, axes):
+        _stabilize(way, account)
+    images = take_mirrors(way, names)
     supports = supports_of(way, names, axes, scale, account)
-    loads = loads_of(way, names, axes, scale, account, images)
+    loads = (
+        *loads_of(way, names, axes, scale, account, images),
+        *temperatures_of(way, names, entries, account),
+    )
+    points = points_of(way, names, scale, account)
     check_ties(deck, account)
-    contact = contact_of(deck, scale, account)
     names.add_others()
     _account_rest(deck, account)
     content = {
         "name": file.stem,
-        "mesh": {"file": f"{file.stem}-mesh.inp", "unit": scale.word},
+        "mesh": {"file": f"{file.stem}-mesh.inp", "unit": scale.word, **plane_table(deck, scale, account)},
         "materials": {name: material_table(entry) for name, entry in entries.items()},
         "supports": supports_table(supports),
+        "points": points,
         "loads": loads_table(loads),
         "contact": contact,
         "procedure": _procedure(way),
@@ -167,11 +179,20 @@ def _head(file: Path, units: str, rows: Iterable[DeckRow]) -> str:
     return "\n".join(line.replace("\n", " ") for line in lines) + "\n\n"
 
 
+def _stabilize(way: DeckPath, account: Account) -> None:
+    """Let a body that contact alone stops come to rest."""
+    keyword = next((each for step in way.deck.steps for each in step if each.name == "static"), None)
+    if keyword is not None and not way.relaxes and not way.arc_length:
+        way.stabilized = True
+        account.taken(keyword, "procedure 'stabilized', because contact alone stops a body")
+
+
 def _procedure(way: DeckPath) -> dict[str, Any]:
     """Load control to the end of the last step, which hits the end of each."""
     total = way.ends[-1] if way.ends else 1.0
     at = [round(end / total, 12) for end in way.ends[:-1]]
-    values: dict[str, Any] = {"type": "arc_length" if way.arc_length else "static"}
+    kind = "arc_length" if way.arc_length else "stabilized" if way.stabilized else "static"
+    values: dict[str, Any] = {"type": kind}
     if at and not way.arc_length:
         values["at"] = at
     if way.relaxes:

@@ -10,6 +10,7 @@ from turgor.core.model.history import History
 from turgor.core.model.loads import Force, Gravity, Load, Pressure, Traction
 from turgor.core.model.places import NodesAt
 from turgor.job.decks.account import Account
+from turgor.job.decks.deck import ROUND
 from turgor.job.decks.directions import NodeAxes
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.steps import Path
@@ -19,6 +20,9 @@ from turgor.job.decks.units import DeckUnits
 
 #: Most nodes with a force of their own: each is a table of the job file.
 MOST_FORCES = 400
+
+#: Why a load on a body of revolution is refused.
+ACROSS = "a load across the axis of a body of revolution has no form here; a pressure, and loads along y, have one."
 
 
 def loads_of(
@@ -81,7 +85,9 @@ def _tractions(path: Path, names: MeshNames, units: DeckUnits, account: Account)
         sides = path.deck.surface(where) or ()
         size, history = track.history()
         length = float(np.linalg.norm(direction))
-        if any(side[0] not in solid for side in sides) or not length:
+        if path.deck.plane == ROUND and direction[0]:
+            account.missing(path.tracks.keywords[target], ACROSS)
+        elif any(side[0] not in solid for side in sides) or not length:
             account.missing(path.tracks.keywords[target], "a traction needs solid cells and a direction.")
         elif size:
             vector = size * units.stress / length * np.array(direction)
@@ -95,7 +101,9 @@ def _gravities(path: Path, units: DeckUnits, account: Account) -> Iterable[Load]
         size, history = track.history()
         vector = np.array(target[1]) * np.sign(size)
         along = next((each for each in DIRECTIONS.values() if np.allclose(vector / np.linalg.norm(vector), each)), None)
-        if along is None or len(weights) > 1:
+        if path.deck.plane == ROUND and target[1][0]:
+            account.missing(keyword, ACROSS)
+        elif along is None or len(weights) > 1:
             account.missing(keyword, f"gravity along {target[1]} has no form here; one along x, y or z has.")
         elif size:
             acceleration = abs(size) * float(np.linalg.norm(vector)) * units.length
@@ -111,7 +119,9 @@ def _forces(path: Path, names: MeshNames, axes: NodeAxes, units: DeckUnits, acco
             continue
         _, node, freedom = target
         size, history = track.history()
-        if node not in solid:
+        if path.deck.plane == ROUND and abs(axes.at(node)[freedom - 1][1]) < 1 and size:
+            account.missing(path.tracks.keywords[target], ACROSS)
+        elif node not in solid:
             account.missing(path.tracks.keywords[target], f"a force on node {node}, which is on no solid cell.")
         elif size:
             known = next((h for n, h in vectors if n == node and _same(h, history)), history)

@@ -41,7 +41,7 @@ REFUSED = (
 )  # fmt: skip
 
 #: What a material may have that no static model of rubber needs.
-IDLE = ("conductivity", "specific heat", "damping", "depvar", "expansion")
+IDLE = ("conductivity", "specific heat", "damping", "depvar")
 
 
 @dataclass(slots=True)
@@ -55,7 +55,9 @@ class _Draft:
     moduli: str = "long_term"
 
 
-def materials_of(keywords: Iterable[Keyword], units: DeckUnits, account: Account) -> dict[str, Material]:
+def materials_of(
+    keywords: Iterable[Keyword], units: DeckUnits, account: Account, *, heated: bool = False
+) -> dict[str, Material]:
     """Read the materials of a deck.
 
     Parameters
@@ -65,6 +67,8 @@ def materials_of(keywords: Iterable[Keyword], units: DeckUnits, account: Account
     units : DeckUnits
     account : Account
         Takes what became of each keyword.
+    heated : bool
+        Whether the expansion is needed.
 
     Returns
     -------
@@ -75,6 +79,8 @@ def materials_of(keywords: Iterable[Keyword], units: DeckUnits, account: Account
     for keyword in keywords:
         if keyword.name == "material":
             drafts.append(_Draft(keyword.given.get("name", "material"), keyword))
+        elif keyword.name in IDLE or (keyword.name == "expansion" and not heated):
+            account.not_needed(keyword, "no load of the job needs it")
         elif drafts and keyword.name in _PARTS:
             try:
                 _PARTS[keyword.name](drafts[-1], keyword, units)
@@ -83,8 +89,6 @@ def materials_of(keywords: Iterable[Keyword], units: DeckUnits, account: Account
                 account.missing(keyword, text)
             else:
                 account.taken(keyword, _meaning(drafts[-1], keyword))
-        elif keyword.name in IDLE:
-            account.not_needed(keyword, "no load of the job needs it")
     return _finished(drafts, account)
 
 
@@ -113,13 +117,19 @@ def _values(keyword: Keyword) -> list[float]:
     return [value for line in keyword.lines for value in numbers(line, keyword.path, f"*{keyword.name.upper()}")]
 
 
+def _constant(keyword: Keyword, count: int) -> list[float]:
+    """The constants, which must be the same in the rows of all temperatures."""
+    rows = [numbers(line, keyword.path, f"*{keyword.name.upper()}")[:count] for line in keyword.lines]
+    if any(row != rows[0] for row in rows):
+        raise TurgorError("constants that depend on temperature have no form here; give one line.")
+    return list(rows[0])
+
+
 def _elastic(draft: _Draft, keyword: Keyword, units: DeckUnits) -> None:
     kind = keyword.given.get("type", "iso").lower()
     if kind not in ("iso", "isotropic"):
         raise TurgorError(f"linear elasticity of the type {kind.upper()} has no form here; only the isotropic one has.")
-    if len(keyword.lines) != 1:
-        raise TurgorError("constants that depend on temperature have no form here; give one line.")
-    values = _values(keyword)
+    values = _constant(keyword, 2)
     draft.fields["law"] = Hooke(E=values[0] * units.stress, nu=values[1])
 
 
@@ -181,6 +191,13 @@ def _density(draft: _Draft, keyword: Keyword, units: DeckUnits) -> None:
     draft.fields["density"] = _values(keyword)[0] * units.density
 
 
+def _expansion(draft: _Draft, keyword: Keyword, units: DeckUnits) -> None:
+    kind = keyword.given.get("type", "iso").lower()
+    if kind not in ("iso", "isotropic"):
+        raise TurgorError(f"expansion of the type {kind.upper()} has no form here; only the isotropic one has.")
+    draft.fields["expansion"] = _constant(keyword, 1)[0]
+
+
 def _refused(draft: _Draft, keyword: Keyword, units: DeckUnits) -> None:
     raise TurgorError("this behavior of a material has no form here.")
 
@@ -192,7 +209,7 @@ def _meaning(draft: _Draft, keyword: Keyword) -> str:
     if keyword.name in ("hyperelastic", "hyperfoam"):
         volume = ", the volume stays" if draft.fields.get("bulk_modulus") == inf else ""
         return f"{type(law).__name__}{volume}"
-    return {"density": "density", "viscoelastic": "viscoelasticity", "mullins effect": "stress_softening"}[keyword.name]
+    return _MEANINGS[keyword.name]
 
 
 def _scaled(values: Iterable[float], stress: float) -> list[float]:
@@ -230,6 +247,11 @@ _FORMS: dict[str, tuple[Callable[[int], int], Callable[[Sequence[float], float],
     "arruda-boyce": (lambda order: 2, lambda v, unit: ArrudaBoyce(mu=v[0] * unit, locking_stretch=v[1])),
 }
 
+_MEANINGS = {
+    "density": "density", "viscoelastic": "viscoelasticity", "mullins effect": "stress_softening",
+    "expansion": "thermal expansion; only differences of temperature count",
+}  # fmt: skip
+
 _PARTS: Mapping[str, Callable[[_Draft, Keyword, DeckUnits], None]] = {
     **dict.fromkeys(REFUSED, _refused),
     "elastic": _elastic,
@@ -238,4 +260,5 @@ _PARTS: Mapping[str, Callable[[_Draft, Keyword, DeckUnits], None]] = {
     "viscoelastic": _viscoelastic,
     "mullins effect": _mullins,
     "density": _density,
+    "expansion": _expansion,
 }

@@ -25,7 +25,12 @@ def take_mirrors(path: Path, names: MeshNames) -> int:
     """
     for freedom, axis in enumerate("xyz", start=1):
         nodes = names.deck.nodes(f"symmetry_{axis}")
-        if nodes is None or not len(nodes) or not all((node, freedom) in path.fixed for node in nodes.tolist()):
+        if (
+            names.deck.plane
+            or nodes is None
+            or not len(nodes)
+            or not all((node, freedom) in path.fixed for node in nodes.tolist())
+        ):
             continue
         if np.ptp([names.deck.place[int(node)][freedom - 1] for node in nodes]) == 0 and names.is_face(nodes):
             names.mirrors[f"symmetry_{axis}"] = nodes

@@ -118,6 +118,8 @@ class MeshNames:
 
     def _is_closed(self, sides: Iterable[tuple[int, str]]) -> bool:
         """Whether each edge of the sides belongs to two of them."""
+        if self.deck.plane:
+            return False
         edges = Counter[tuple[int, ...]]()
         for cell, label in sides:
             corners, _ = self.deck.cell_table.side(cell, label)
@@ -162,7 +164,8 @@ class MeshNames:
             rows = table[np.isin(table[:, 0], numbers)]
             if len(rows):
                 width = 1 + min(KINDS[kind].nodes, 20)
-                lines.append(f"*ELEMENT, TYPE={TYPES[kind]}, ELSET={name}")
+                cell = TYPES[kind].replace("M3D", self.deck.plane or "M3D")
+                lines.append(f"*ELEMENT, TYPE={cell}, ELSET={name}")
                 lines += [line for row in rows[:, :width].tolist() for line in _rows(row)]
         return lines
 

@@ -12,9 +12,10 @@ from turgor.core.model.layers import as_solid
 from turgor.core.model.sheets import Membrane, Sheet, Shell
 from turgor.foundation.errors import TurgorError, near_match
 from turgor.job.decks.account import Account, listed
-from turgor.job.decks.deck import Deck, words_of
+from turgor.job.decks.deck import ROUND, STRAIN, STRESS, Deck, words_of
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.units import DeckUnits
+from turgor.units import format_quantity
 
 Entries: TypeAlias = dict[str, Material | Sheet]
 
@@ -77,7 +78,7 @@ def _section(deck: Deck, keyword: Keyword, materials: Mapping[str, Material]) ->
 def _only(cells: np.ndarray, solids: np.ndarray, keyword: Keyword, deck: Deck) -> np.ndarray:
     """The cells of a solid section, which must all be solid ones."""
     if not np.isin(cells, solids).all():
-        raise TurgorError("plane and axisymmetric cells have no form here; the model must be three-dimensional.")
+        raise TurgorError("plane cells next to solid ones have no form here.")
     return cells
 
 
@@ -106,7 +107,9 @@ def _check_cells(deck: Deck, covered: np.ndarray, account: Account) -> None:
         if keyword.name != "element":
             continue
         kind = keyword.given.get("type", "").upper()
-        if not kind.startswith(("C3D", "M3D", "S")) or kind.startswith(("SPRING", "SFM")):
+        if deck.plane:
+            _check_plane(deck, keyword, kind, account)
+        elif not kind.startswith(("C3D", "M3D", "S")) or kind.startswith(("SPRING", "SFM")):
             account.missing(keyword, f"cells of the type {kind} have no form here.")
         elif kind.startswith("C3D"):
             account.taken(keyword, "solid cells, of second order in turgor, with mean stresses of their own")
@@ -116,6 +119,31 @@ def _check_cells(deck: Deck, covered: np.ndarray, account: Account) -> None:
     if len(bare):
         keyword = next(each for each in deck.model if each.name == "element")
         account.missing(keyword, f"{len(bare)} solid cells have no section that was understood: {listed(bare)}.")
+
+
+def _check_plane(deck: Deck, keyword: Keyword, kind: str, account: Account) -> None:
+    """Say what became of cells of a plane model, which are all of one state."""
+    if kind.startswith(STRESS) or not kind.startswith(deck.plane):
+        account.missing(keyword, f"cells of the type {kind} have no form here; those of a plane model are CPE or CAX.")
+    else:
+        what = "plane strain" if deck.plane == STRAIN else "a body of revolution about y"
+        account.taken(keyword, f"{what}, of second order in turgor, with mean stresses of their own")
+
+
+def plane_table(deck: Deck, units: DeckUnits, account: Account) -> dict[str, str]:
+    """Return the key of the mesh of a plane model: its thickness or its axis."""
+    if deck.plane == ROUND:
+        return {"axisymmetric": "y"}
+    if not deck.plane:
+        return {}
+    for each in deck.model:
+        if each.name == "solid section":
+            own = numbers(each.lines[0], each.path, "a thickness")[0] if each.lines else 1.0
+            if own != deck.thickness:
+                account.missing(
+                    each, f"its thickness is {own:g}, and that of others {deck.thickness:g}; one is needed."
+                )
+    return {"plane_strain": format_quantity(deck.thickness * units.length, "mm")}
 
 
 def check_ties(deck: Deck, account: Account) -> None:

@@ -15,6 +15,7 @@ from turgor.job.decks.deck import Deck, words_of
 from turgor.job.decks.tracks import (
     FORCE,
     GRAVITY,
+    HEAT,
     PRESSURE,
     SHIFT,
     TRACTION,
@@ -24,9 +25,6 @@ from turgor.job.decks.tracks import (
     amplitude_named,
     amplitudes_of,
 )
-
-#: Degrees of freedom that nodes of solids have.
-TRANSLATIONS = (1, 2, 3)
 
 #: Supports with a name instead of degrees of freedom.
 _NAMED = {
@@ -47,34 +45,40 @@ class Path:
         By name, in lower case.
     fixed : dict of (int, int) to Keyword
         Nodes and degrees of freedom that stay, with the keyword that says so.
+    initial : dict of int to float
+        Temperature of nodes in the shape of the mesh, 0 for the others.
     tracks : Tracks
         What moves and loads.
     ends : list of float [s]
         Ends of the steps so far.
-    relaxes, arc_length : bool
-        Whether a step takes time, and whether one follows limit points.
+    relaxes, arc_length, stabilized : bool
+        Whether a step takes time, whether one follows limit points, and whether contact alone stops a body.
     """
 
     deck: Deck
     account: Account
     amplitudes: dict[str, Amplitude] = field(default_factory=dict)
     fixed: dict[tuple[int, int], Keyword] = field(default_factory=dict)
+    initial: dict[int, float] = field(default_factory=dict)
     tracks: Tracks = field(default_factory=Tracks)
     ends: list[float] = field(default_factory=list)
     relaxes: bool = False
     arc_length: bool = False
+    stabilized: bool = False
 
 
-def path_of(deck: Deck, account: Account) -> Path:
+def path_of(deck: Deck, initial: dict[int, float], account: Account) -> Path:
     """Read the supports of a deck, and the steps one after another.
 
     Parameters
     ----------
     deck : Deck
+    initial : dict of int to float
+        Temperature of nodes in the shape of the mesh.
     account : Account
         Takes what became of each keyword.
     """
-    path = Path(deck, account)
+    path = Path(deck, account, initial=initial)
     for keyword in (*deck.model, *(each for step in deck.steps for each in step)):
         if keyword.name == "amplitude":
             _attempt(path, keyword, _take_amplitude)
@@ -144,13 +148,13 @@ def _take_boundary(path: Path, keyword: Keyword) -> str:
     nodes, left = 0, set[int]()
     for line in keyword.lines:
         where, value, freedoms = _boundary_row(line)
-        left |= {each for each in freedoms if each not in TRANSLATIONS}
+        left |= {each for each in freedoms if each not in path.deck.freedoms}
         numbers_of = _nodes(path.deck, where)
         nodes += len(numbers_of)
-        for freedom in (each for each in freedoms if each in TRANSLATIONS):
+        for freedom in (each for each in freedoms if each in path.deck.freedoms):
             for node in numbers_of.tolist():
                 _prescribe(path, keyword, (node, freedom), (value, amplitude))
-    note = f"; degrees of freedom {sorted(left)}, which nodes of solids lack, left out" if left else ""
+    note = f"; degrees of freedom {sorted(left)}, which its nodes lack, left out" if left else ""
     return f"support of {nodes} nodes{note}"
 
 
@@ -203,8 +207,9 @@ def _take_forces(path: Path, keyword: Keyword) -> str:
     amplitude, count = amplitude_named(keyword, path.amplitudes), 0
     for line in keyword.lines:
         where, freedom, value = words_of(line)[:3]
-        if int(freedom) not in TRANSLATIONS:
-            raise TurgorError(f"a load on degree of freedom {freedom} has no form here; nodes of solids have 1 to 3.")
+        if int(freedom) not in path.deck.freedoms:
+            last = path.deck.freedoms[-1]
+            raise TurgorError(f"a load on degree of freedom {freedom} has no form here; its nodes have 1 to {last}.")
         for node in _nodes(path.deck, where).tolist():
             path.tracks.state((FORCE, node, int(freedom)), float(value), amplitude, keyword)
             count += 1
@@ -256,6 +261,20 @@ def _take_surface_loads(path: Path, keyword: Keyword) -> str:
     return " and ".join(sorted(meanings))
 
 
+def _take_temperatures(path: Path, keyword: Keyword) -> str:
+    _check_load(path, keyword, HEAT, {"op", "amplitude"})
+    amplitude, count = amplitude_named(keyword, path.amplitudes), 0
+    for line in keyword.lines:
+        where, value = words_of(line)[:2]
+        for node in _nodes(path.deck, where).tolist():
+            rest = path.initial.get(node, 0.0)
+            if amplitude is not None and rest:
+                raise TurgorError("an amplitude of a temperature has no form here unless the initial one is 0.")
+            path.tracks.state((HEAT, node), float(value) - rest, amplitude, keyword)
+            count += 1
+    return f"temperature of {count} nodes"
+
+
 def _check_load(path: Path, keyword: Keyword, kind: str, known: set[str]) -> None:
     """Refuse parameters that change what a load is, and end former loads where the keyword says so."""
     others = set(keyword.given) - known
@@ -271,4 +290,5 @@ _LOADS: Mapping[str, Taker] = {
     "cload": _take_forces,
     "dload": _take_cell_loads,
     "dsload": _take_surface_loads,
+    "temperature": _take_temperatures,
 }

@@ -11,6 +11,7 @@ from turgor.core.model.history import RAMP, History
 from turgor.core.model.places import NodesAt
 from turgor.core.model.supports import Displacement, Fixed, Roller, Shift, Support
 from turgor.job.decks.account import Account
+from turgor.job.decks.deck import ROUND
 from turgor.job.decks.directions import NodeAxes
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.steps import Path
@@ -56,6 +57,8 @@ def supports_of(
     for target, track in path.tracks.of.items():
         if isinstance(target, tuple) and target[0] == SHIFT and target[1] in solid:
             _add(ways, axes, target[1:], track.history(), path.tracks.keywords[target])
+    if path.deck.plane == ROUND:
+        _close_rings(ways, account)
     askew = [key for key in ways if max(map(abs, key[0])) < 1 - 1e-9]
     if len(askew) > MOST_DIRECTIONS:
         account.missing(
@@ -65,6 +68,18 @@ def supports_of(
     rollers = [_roller(names, key, ways[key], units, account) for key in askew]
     plain = {key: group for key, group in ways.items() if max(map(abs, key[0])) >= 1 - 1e-9}
     return (*_along_axes(names, plain, units), *(each for each in rollers if each is not None))
+
+
+def _close_rings(ways: dict[tuple[Direction, float, History], _Group], account: Account) -> None:
+    """Fix both directions across the axis where the radius is fixed; rings that become wider have no form."""
+    for (direction, size, history), group in list(ways.items()):
+        if direction == (0.0, 1.0, 0.0):
+            continue
+        if size or direction != (1.0, 0.0, 0.0):
+            account.missing(group.keyword, "rings of a body of revolution are fixed here, or move along their axis.")
+            del ways[direction, size, history]
+        else:
+            ways[(0.0, 0.0, 1.0), size, history] = group
 
 
 def _add(
@@ -126,6 +141,9 @@ def _place(names: MeshNames, nodes: NDArray[np.int64], wish: str, units: DeckUni
     known = next((name for name, each in names.deck.content.node_sets.items() if _same(names, name, nodes)), wish)
     if names.is_everything(nodes):  # a set of all nodes has no name in a mesh
         points = units.length * np.array([names.deck.place[node] for node in nodes.tolist()])
+        if names.deck.plane:  # its thickness, or what is turned about the axis
+            reach = units.length * names.deck.thickness + np.abs(points).max()
+            points = np.concatenate([points - [reach, 0, reach], points + [reach, 0, reach]])
         return NodesAt(names.new_set("all", nodes), box=(points.min(axis=0).tolist(), points.max(axis=0).tolist()))
     name = names.new_set(known, nodes)
     return name if names.is_face(nodes) else NodesAt(name, node_set=name)

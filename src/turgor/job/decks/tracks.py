@@ -14,7 +14,7 @@ from turgor.foundation.errors import TurgorError, unknown
 Points = tuple[tuple[float, float], ...]
 
 #: Kinds of targets: what stands first in their keys.
-FORCE, PRESSURE, GRAVITY, SHIFT, TRACTION = "force", "pressure", "gravity", "shift", "traction"
+FORCE, PRESSURE, GRAVITY, SHIFT, TRACTION, HEAT = "force", "pressure", "gravity", "shift", "traction", "heat"
 
 #: Difference of shares, and of times as a share of a step, that is round-off of the digits of a deck.
 SAME = 1e-9

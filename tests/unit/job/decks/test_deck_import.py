@@ -173,6 +173,12 @@ def test_contact_and_ties(tmp_path):
     job = job_of(deck(tmp_path, mesh=mesh, model=pair + fixed), tmp_path)
     assert job.contact.self_contact.friction == 0.3
     assert job.contact.self_contact.stiffness == pytest.approx(5e9)  # MPa/mm
+    assert type(job.procedure).__name__ == "Static"
+    loose = pair + FIXED + "*BOUNDARY\n24, 1, 2\n25, 1\n"
+    assert type(job_of(deck(tmp_path, mesh=mesh, model=loose), tmp_path).procedure).__name__ == "Stabilized"
+    adjusted = pair.replace("=RUB\nFOOT", "=RUB, ADJUST=0.1\nFOOT")
+    with refused("*CONTACT PAIR", "ADJUST=0.1"):
+        tg.files.import_deck(deck(tmp_path, mesh=mesh, model=adjusted + fixed))
     touching = mesh.replace(f"{GAP + 0.0}", "20.0")
     closed = touching.replace(f"{GAP + 10.0}", "30.0")
     with refused("*CONTACT PAIR", "'FOOT'", "'LID'"):

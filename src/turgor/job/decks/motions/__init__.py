@@ -1,0 +1,1 @@
+"""Motions and states of a deck that are no faces with a load: temperatures, rigid bodies, loose bodies."""
