@@ -175,6 +175,8 @@ def _read(
     actuator = with_broken_planes(actuator, given)
     geometry = built[1] if built is not None and built[0] == actuator else _build(actuator, problems)
     mesh = read_mesh(given["mesh"], geometry, problems)
+    if given["bodies"] is not None and geometry is None:
+        return None  # other sections name bodies, faces and regions, which are unknown
     rigid = rigid_materials(actuator, geometry)
     stated = given["materials"] is not None or rigid
     materials = read_materials(given["materials"] or {}, geometry, problems, rigid) if stated else {}
@@ -253,7 +255,8 @@ def _build(actuator: Actuator | None, problems: Problems) -> Geometry | None:
     """Build the shape, because its names are keys of other sections, or find on disk what is known about it."""
     if actuator is None:
         return None
-    return geometry_on_disk(actuator) or problems.attempt(("actuator",), actuator.build)
+    key = "bodies" if isinstance(actuator, Assembly) else "actuator"
+    return geometry_on_disk(actuator) or problems.attempt((key,), actuator.build)
 
 
 def read_name(value: object, problems: Problems) -> str:

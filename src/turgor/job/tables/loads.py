@@ -13,8 +13,8 @@ from turgor.core.model.history import RAMP
 from turgor.core.model.loads import STANDARD_GRAVITY, Force, Gravity, Load, Pressure, Traction, pressures_among
 from turgor.core.model.places import NodesAt
 from turgor.core.model.sheets import Sheet
-from turgor.foundation.errors import near_match, unknown
-from turgor.job.text.body_names import by_body
+from turgor.foundation.errors import near_match
+from turgor.job.text.body_names import by_body, unknown_part
 from turgor.job.text.forces import is_force, on_faces
 from turgor.job.text.listed_loads import fits, listed_values, loads_model, read_listed
 from turgor.job.text.load_tables import CavityTable
@@ -123,7 +123,7 @@ def _no_face(name: str, geometry: Geometry) -> str:
     if name.startswith("cavity"):
         known = f" Its cavities are {', '.join(cavities)}." if cavities else ""
         return f"the actuator has no cavity '{name}'{near_match(name, cavities) or '.'}{known}"
-    return str(unknown("face", name, (*cavities, *faces)))
+    return str(unknown_part("face", name, (*cavities, *faces), geometry))
 
 
 def pressed_faces(geometry: Geometry) -> tuple[str, ...]:
