@@ -21,7 +21,7 @@ from turgor.job.tables.bodies.rigid_bodies import rigid_materials, rigs_of
 from turgor.job.tables.bonds import read_bonds
 from turgor.job.tables.contact import read_contact
 from turgor.job.tables.fibers import read_fibers
-from turgor.job.tables.loads import read_loads
+from turgor.job.tables.loads import check_motion, read_loads
 from turgor.job.tables.materials import read_materials
 from turgor.job.tables.mesh_files import MESH_FILE
 from turgor.job.tables.points import DRIVING, read_points
@@ -163,7 +163,9 @@ def _read_path(given: Mapping[str, Any], around: Around, problems: Problems) -> 
     setup = setup_type(given["procedure"])
     if setup is not None:
         return read_setup(setup, given["procedure"], around.loads, problems) or (None, None)
-    return None, read_procedure(given["procedure"], around.loads, problems, SETUPS)
+    procedure = read_procedure(given["procedure"], around.loads, problems, SETUPS)
+    check_motion(procedure, around.loads, around.materials, problems)
+    return None, procedure
 
 
 def _read(

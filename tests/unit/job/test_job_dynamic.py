@@ -71,6 +71,20 @@ def test_a_motion_is_read_and_locked(tmp_path: Path) -> None:
     assert again.loads == job.loads
 
 
+@pytest.mark.parametrize(
+    "path",
+    ["[procedure]", '[[stages]]\nname = "move"\n[stages.procedure]'],
+    ids=["procedure", "stage"],
+)
+def test_motion_without_density_is_refused_before_anything_is_solved(tmp_path: Path, path: str) -> None:
+    light = HEAD.replace(', density = "1000 kg/m³"', "")
+    (tmp_path / "job.toml").write_text(
+        f'{light}[loads]\npressure = "1 kPa"\n{path}\ntype = "dynamic"\nduration = "40 ms"', encoding="utf-8"
+    )
+    with refused("materials.body", "materials.base", "motion", "'1100 kg/m³'", error=JobError):
+        read_job(tmp_path / "job.toml")
+
+
 def test_stabilization_is_read_and_locked(tmp_path: Path) -> None:
     job = read(
         tmp_path,
