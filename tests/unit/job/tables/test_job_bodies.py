@@ -161,6 +161,8 @@ def test_copies_stand_around_an_axis(tmp_path: Path) -> None:
         ({"bodies.ball.on": "ball_1.body"}, ("bodies", "'ball_1'", "Known: outside")),
         ({"mesh.face_sizes": {"outside_bell": "2 mm"}}, ("outside_bell", "outside_ball")),
         ({"bodies.ball.mass": "-1 g"}, ("bodies.ball.mass",)),
+        ({"bodies.ball.size": "0 mm"}, ("bodies.ball.size", "0 mm", "more than 0")),
+        ({"bodies.ball.mass": "1 g", "bodies.ball.on": "ball_2.outside"}, ("bodies.ball.on", "joint_NAME")),
     ],
 )
 def test_what_cannot_be_is_refused(changes: dict[str, Any], facts: tuple[str, ...], tmp_path: Path) -> None:
