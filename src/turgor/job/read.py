@@ -21,7 +21,7 @@ from turgor.job.tables.bodies.rigid_bodies import rigid_materials, rigs_of
 from turgor.job.tables.bonds import read_bonds
 from turgor.job.tables.contact import read_contact
 from turgor.job.tables.fibers import read_fibers
-from turgor.job.tables.loads import read_loads
+from turgor.job.tables.loads import check_motion, read_loads
 from turgor.job.tables.materials import read_materials
 from turgor.job.tables.mesh_files import MESH_FILE
 from turgor.job.tables.points import DRIVING, read_points
@@ -163,7 +163,9 @@ def _read_path(given: Mapping[str, Any], around: Around, problems: Problems) -> 
     setup = setup_type(given["procedure"])
     if setup is not None:
         return read_setup(setup, given["procedure"], around.loads, problems) or (None, None)
-    return None, read_procedure(given["procedure"], around.loads, problems, SETUPS)
+    procedure = read_procedure(given["procedure"], around.loads, problems, SETUPS)
+    check_motion(procedure, around.loads, around.materials, problems)
+    return None, procedure
 
 
 def _read(
@@ -175,6 +177,8 @@ def _read(
     actuator = with_broken_planes(actuator, given)
     geometry = built[1] if built is not None and built[0] == actuator else _build(actuator, problems)
     mesh = read_mesh(given["mesh"], geometry, problems)
+    if given["bodies"] is not None and geometry is None:
+        return None  # other sections name bodies, faces and regions, which are unknown
     rigid = rigid_materials(actuator, geometry)
     stated = given["materials"] is not None or rigid
     materials = read_materials(given["materials"] or {}, geometry, problems, rigid) if stated else {}
@@ -253,7 +257,8 @@ def _build(actuator: Actuator | None, problems: Problems) -> Geometry | None:
     """Build the shape, because its names are keys of other sections, or find on disk what is known about it."""
     if actuator is None:
         return None
-    return geometry_on_disk(actuator) or problems.attempt(("actuator",), actuator.build)
+    key = "bodies" if isinstance(actuator, Assembly) else "actuator"
+    return geometry_on_disk(actuator) or problems.attempt((key,), actuator.build)
 
 
 def read_name(value: object, problems: Problems) -> str:

@@ -71,6 +71,20 @@ def test_a_motion_is_read_and_locked(tmp_path: Path) -> None:
     assert again.loads == job.loads
 
 
+@pytest.mark.parametrize(
+    "path",
+    ["[procedure]", '[[stages]]\nname = "move"\n[stages.procedure]'],
+    ids=["procedure", "stage"],
+)
+def test_motion_without_density_is_refused_before_anything_is_solved(tmp_path: Path, path: str) -> None:
+    light = HEAD.replace(', density = "1000 kg/m³"', "")
+    (tmp_path / "job.toml").write_text(
+        f'{light}[loads]\npressure = "1 kPa"\n{path}\ntype = "dynamic"\nduration = "40 ms"', encoding="utf-8"
+    )
+    with refused("materials.body", "materials.base", "motion", "'1100 kg/m³'", error=JobError):
+        read_job(tmp_path / "job.toml")
+
+
 def test_stabilization_is_read_and_locked(tmp_path: Path) -> None:
     job = read(
         tmp_path,
@@ -170,3 +184,10 @@ def test_a_velocity_and_a_constant_weight_are_read_and_written_back(tmp_path: Pa
         read(tmp_path, text.replace("velocity", "velocty"))
     with refused("loads.gravity.history", "'constnt'", "'constant'", error=JobError):
         read(tmp_path, text.replace("constant", "constnt"))
+
+
+def test_the_pouch_with_weight_of_the_guide_on_films_is_read(tmp_path: Path) -> None:
+    guide = (Path(__file__).parents[3] / "docs" / "howto" / "films.md").read_text(encoding="utf-8")
+    pouch, weight = (part.split("```toml\n")[1].split("```")[0] for part in guide.split("## Weight and motion"))
+    (tmp_path / "pouch.toml").write_text(pouch.split("[materials]")[0] + weight, encoding="utf-8")
+    assert Gravity((1, 0, 0)) in read_job(tmp_path / "pouch.toml").loads

@@ -13,8 +13,9 @@ from turgor.core.model.history import RAMP
 from turgor.core.model.loads import STANDARD_GRAVITY, Force, Gravity, Load, Pressure, Traction, pressures_among
 from turgor.core.model.places import NodesAt
 from turgor.core.model.sheets import Sheet
-from turgor.foundation.errors import near_match, unknown
-from turgor.job.text.body_names import by_body
+from turgor.core.solvers.procedures.procedure import Procedure
+from turgor.foundation.errors import near_match
+from turgor.job.text.body_names import by_body, unknown_part
 from turgor.job.text.forces import is_force, on_faces
 from turgor.job.text.listed_loads import fits, listed_values, loads_model, read_listed
 from turgor.job.text.load_tables import CavityTable
@@ -64,7 +65,7 @@ def read_loads(
     loads += on_faces(pulled, geometry, table.gravity, duration, problems)
     windings = [name for name, each in materials.items() if isinstance(each, Fibers)]
     loads += read_listed(table, geometry, duration, problems, windings)
-    _check_densities(loads, materials, problems)
+    _check_densities(next((load.kind for load in loads if load.needs_density), None), materials, problems)
     loads = [_of_materials(load, materials, problems) for load in loads]
     if needed and not (own or pulled or any(getattr(table, name) for name in type(table).model_fields)):
         problems.add(key, "nothing drives the actuator; give pressure, gravity or both.")
@@ -123,7 +124,7 @@ def _no_face(name: str, geometry: Geometry) -> str:
     if name.startswith("cavity"):
         known = f" Its cavities are {', '.join(cavities)}." if cavities else ""
         return f"the actuator has no cavity '{name}'{near_match(name, cavities) or '.'}{known}"
-    return str(unknown("face", name, (*cavities, *faces)))
+    return str(unknown_part("face", name, (*cavities, *faces), geometry))
 
 
 def pressed_faces(geometry: Geometry) -> tuple[str, ...]:
@@ -135,8 +136,25 @@ def _pressure(face: str, table: CavityTable, duration: float | None) -> Pressure
     return Pressure(face, table.pressure, history_of(table, f"pressure on '{face}'", duration))
 
 
-def _check_densities(loads: Iterable[Load], materials: Mapping[str, object], problems: Problems) -> None:
-    heavy = next((load.kind for load in loads if load.needs_density), None)
+def check_motion(
+    procedure: Procedure | None, loads: Iterable[Load], materials: Mapping[str, object], problems: Problems
+) -> None:
+    """Report materials without the density that motion needs, unless a load has reported them.
+
+    Parameters
+    ----------
+    procedure : Procedure or None
+    loads : iterable of Load
+        Those that have been read with `read_loads`.
+    materials : mapping of str to Material or Sheet
+    problems : Problems
+        Takes what is wrong.
+    """
+    if procedure is not None and procedure.has_inertia and not any(load.needs_density for load in loads):
+        _check_densities("motion", materials, problems)
+
+
+def _check_densities(heavy: str | None, materials: Mapping[str, object], problems: Problems) -> None:
     alone = not any(isinstance(each, Material) for each in materials.values())  # films; sheets on bodies may lack it
     for name, each in materials.items():
         material = each.material if alone and isinstance(each, Sheet) else each

@@ -17,7 +17,7 @@ from turgor.core.model.sheets import Membrane, Sheet, Shell
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.source import Source
 from turgor.job.tables.material_tables import LibraryTable, StatedTable, law_table
-from turgor.job.text.body_names import by_body
+from turgor.job.text.body_names import by_body, unknown_part
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import read_table, shown
@@ -59,7 +59,7 @@ def read_materials(
                 *geometry.regions,
                 *(face for face in geometry.faces if not face.startswith(("symmetry_", "cyclic_"))),
             )
-            problems.add((*key, name), str(unknown("region or face", name, known)))
+            problems.add((*key, name), str(unknown_part("region or face", name, known, geometry)))
             continue
         material = _read_material(entry, (*key, name), forms[name], geometry, problems)
         if material is not None:

@@ -19,7 +19,7 @@ from turgor.core.model.supports import Displacement, Shift, Support
 from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.stages import Stage, Stages, check_stage
 from turgor.foundation.errors import TurgorError, unknown
-from turgor.job.tables.loads import loads_table, read_loads
+from turgor.job.tables.loads import check_motion, loads_table, read_loads
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.tables.procedures import duration_of, read_procedure, written_procedure
 from turgor.job.tables.setups import refuse_setup
@@ -162,6 +162,7 @@ def _read_stage(entry: Any, number: int, around: Around, problems: Problems) -> 
     _check_moves(table.moves, around.contact, problems)
     if procedure is None:
         return None
+    check_motion(procedure, (*around.loads, *loads), around.materials, problems)
     make = partial(Stage, loads=loads, displacements=displacements, moves=dict(table.moves))
     stage: Stage | None = problems.attempt((), partial(make, table.name, procedure))
     if stage is not None:

@@ -1,12 +1,16 @@
 """Names of bodies in job files: keys that stand for a face or a region of one body, of its copies, or of all."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
+from turgor.foundation.errors import TurgorError, near_match, unknown
 from turgor.job.text.problems import Problems
+
+#: Keys of forces, which act on a face, not on the cavities of a body.
+FORCES = ("force", "traction", "hangs")
 
 #: A name in the mesh, its value, and the key that stated it.
 Part = tuple[str, Any, tuple[str, ...]]
@@ -38,6 +42,7 @@ def by_body(section: str, values: Any, geometry: Geometry | None, problems: Prob
     shape = None if geometry is None else geometry.shape
     if geometry is None or not isinstance(values, Mapping) or not isinstance(shape, MeshedShape) or not shape.bodies:
         return values, problems
+    values = _without_unknown_parts(section, values, geometry, problems)
     names = {*geometry.regions, *geometry.faces}
     out: dict[str, Any] = {}
     lines = dict(problems.lines)
@@ -47,6 +52,77 @@ def by_body(section: str, values: Any, geometry: Geometry | None, problems: Prob
             new, old = ((*problems.within, section, *key) for key in ((full,), stated))
             lines |= {(*new, *key[len(old) :]): line for key, line in problems.lines.items() if key[: len(old)] == old}
     return out, replace(problems, lines=lines)
+
+
+def unknown_part(kind: str, name: str, known: Iterable[str], geometry: Geometry | None) -> TurgorError:
+    """Build the error for a name that is neither that of a part, such as a face, nor that of a body.
+
+    Parameters
+    ----------
+    kind : str
+        Of the part: ``"face"`` for example.
+    name : str
+    known : iterable of str
+        Names of parts.
+    geometry : Geometry or None
+        Bodies are listed where it has several.
+    """
+    bodies = _members(geometry)
+    before = "" if not bodies else "body, " if " or " in kind else "body or "
+    return unknown(f"{before}{kind}", name, (*known, *bodies))
+
+
+def _members(geometry: Geometry | None) -> dict[str, tuple[str, ...]]:
+    """Bodies by the name that stands for them: that of their table, or their own."""
+    shape = None if geometry is None else geometry.shape
+    if not isinstance(shape, MeshedShape):
+        return {}
+    return {**shape.groups, **{name: (name,) for name in shape.bodies}}
+
+
+def _without_unknown_parts(
+    section: str, values: Mapping[str, Any], geometry: Geometry, problems: Problems
+) -> dict[str, Any]:
+    """The section without keys of bodies that stand for nothing; reports them."""
+    out = dict(values)
+    members, shape = _members(geometry), geometry.shape
+    for name, table in values.items():
+        if name not in members:
+            continue
+        own = shape.bodies[members[name][0]]
+        if isinstance(table, Mapping):
+            wrong = {key: why for key in table if (why := _why_unknown(section, name, key, table, own, geometry))}
+            out[name] = {key: value for key, value in table.items() if key not in wrong}
+            for key, why in wrong.items():
+                problems.add((section, name, key), why)
+        elif section != "supports" or "fixed" not in own:
+            kind, known = _parts(section, own, geometry)
+            problems.add((section, name), f"this is a body; name a {kind} of it, such as {section}.{name}.{known[0]}.")
+            out[name] = {}
+    return {name: value for name, value in out.items() if value != {}}
+
+
+def _why_unknown(
+    section: str, name: str, key: str, table: Mapping[str, Any], own: Mapping[str, str], geometry: Geometry
+) -> str:
+    """Why a key in the table of a body stands for nothing; empty where it stands for something."""
+    if key in own:
+        return ""
+    kind, known = _parts(section, own, geometry)
+    listed = f"Its {kind}s are {', '.join(known)}."
+    if section == "supports" or (isinstance(table[key], Mapping) and not {"law", "library"} & set(table)):
+        return f"the body '{name}' has no {kind} '{key}'{near_match(key, known) or '.'} {listed}"
+    if section == "loads" and key in FORCES:
+        return f"a force acts on a face; write [loads.{name}.{known[0]}]. {listed}"
+    if section == "loads" and not any(part.startswith("cavity") for part in own):
+        return f"the body '{name}' has no cavity; write [loads.{name}.{known[0]}]. {listed}"
+    return ""
+
+
+def _parts(section: str, own: Mapping[str, str], geometry: Geometry) -> tuple[str, list[str]]:
+    """What keys of a section stand for, and the names of those of a body."""
+    kind, names = ("region", geometry.regions) if section == "materials" else ("face", geometry.faces)
+    return kind, [part for part, full in own.items() if full in names]
 
 
 def _ranked(

@@ -156,7 +156,7 @@ def fits(
         if f"symmetry_{axis}" in geometry.faces and not load.mirrored(number):
             wrong.append(
                 f"the {load.kind} has no mirror image in a half model, whose mirror plane is normal to {axis}; "
-                "set actuator.symmetric = false."
+                "model the whole (actuator.symmetric = false, where the family has this key)."
             )
     wedge = geometry.wedge
     if wedge is not None and not load.turned("xyz".index(wedge.axis)):

@@ -6,6 +6,7 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.model.places import PLACES as PLACES
 from turgor.core.model.places import NodesAt
 from turgor.foundation.errors import unknown
+from turgor.job.text.body_names import unknown_part
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Coordinate, Table
@@ -68,5 +69,7 @@ def lacks_faces(face: str | NodesAt, key: Key, geometry: Geometry | None, proble
         wrong, where, known = list(face.edge or ()), (*key, "edge"), geometry.faces
     wrong = [each for each in wrong if each not in known]
     for each in wrong:
-        problems.add(where, str(unknown("node set" if where[-1] == "node_set" else "face", each, known)))
+        whole = isinstance(face, str)
+        kind = "node set" if where[-1] == "node_set" else "face"
+        problems.add(where, str(unknown_part(kind, each, known, geometry) if whole else unknown(kind, each, known)))
     return bool(wrong)

@@ -17,6 +17,7 @@ from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.surface import outer_triangles
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.units import format_quantity
 
 Vector = tuple[float, float, float]
 
@@ -78,6 +79,18 @@ class PlacedBody:
             )
         if self.mass is not None and not (isfinite(self.mass) and self.mass > 0):
             raise TurgorError(f"mass is {self.mass:g} kg; allowed is more than 0.")
+        if self.size is not None and not (isfinite(self.size) and self.size > 0):
+            raise TurgorError(f"size is {format_quantity(self.size, 'mm')}; allowed is more than 0.")
+        if self.mass is not None and self.on is not None:
+            raise TurgorError(
+                f"on is '{self.on}'; a body with a mass is free, so no plate joins it. Leave out mass, and give it "
+                "to the plate: a reference point at its face joint_NAME."
+            )
+        if self.on is not None and self.step is None and not self.on.rpartition(".")[0]:
+            raise TurgorError(
+                f"on is '{self.on}'; name a body and its face, such as 'palm.tip'. "
+                "A face alone is for copies with a step."
+            )
 
     def angle(self, number: int) -> float:
         """Angle [rad] by which copy ``number``, from 0, is turned around the axis."""
@@ -231,8 +244,9 @@ class Assembly:
         for name, (other, face) in self.joints.items():
             if other not in names:
                 raise unknown("body that on names", other, names)
-            if face not in names[other]:
-                raise unknown(f"face of the body '{other}' that on names", face, names[other])
+            known = [own for own, full in names[other].items() if full in mesh.faces]
+            if face not in known:
+                raise unknown(f"face of the body '{other}' that on names", face, known)
             if "fixed" not in names[name]:
                 raise TurgorError(f"body '{name}': on joins its face 'fixed', and it has none.")
             both = (names[other][face], names[name]["fixed"])

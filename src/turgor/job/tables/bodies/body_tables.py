@@ -18,6 +18,7 @@ from turgor.job.tables.cad import CAD_FILE, read_cad_file
 from turgor.job.tables.mesh_files import MESH_FILE, read_mesh_file
 from turgor.job.tables.obstacles import Angles, Lengths
 from turgor.job.text.lines import Key
+from turgor.job.text.listed_loads import loads_model
 from turgor.job.text.load_tables import Mass
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import (
@@ -115,6 +116,9 @@ def read_bodies(values: Any, mesh: Any, problems: Problems) -> Assembly | None:
     if not isinstance(values, Mapping) or not all(isinstance(each, Mapping) for each in values.values()):
         problems.add(key, f"{shown(values)} is no table of bodies; write [bodies.finger] and its keys below it.")
         return None
+    for name in values:
+        if name in loads_model().model_fields:
+            problems.add((*key, name), f"'{name}' is a key of [loads]; give the body another name.")
     settings: MeshTable | None = read_table(MeshTable, mesh, ("mesh",), problems)
     read = {name: _read_body(_with_like(name, values, problems), (*key, name), problems) for name in values}
     bodies = {name: body for name, body in read.items() if body is not None}
