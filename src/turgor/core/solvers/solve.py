@@ -16,6 +16,7 @@ from turgor.core.model.continued_model import at_start
 from turgor.core.model.model import Model
 from turgor.core.solvers.checkpoints.record import Question, RunRecord
 from turgor.core.solvers.checks.contact import deep_penetrations, elastic_slips, meeting_walls
+from turgor.core.solvers.checks.distortion import turned_cells
 from turgor.core.solvers.checks.early_findings import check_before_solve
 from turgor.core.solvers.checks.explanations import explained
 from turgor.core.solvers.checks.materials import rubber_findings
@@ -255,6 +256,7 @@ def _solved(
         *meeting_walls(model, problem.states),
         *deep_penetrations(problem.states),
         *compressed_membranes(model, problem.states),
+        *turned_cells(model, problem.states),
         *elastic_slips(system, problem.states),
         *limit_point_findings(problem.limits, procedure.limit_points),
         *unwatched_stability(tangent.iterative, system.size),

@@ -93,9 +93,13 @@ class DistortionSettings:
     volume_share : float
         Rubber keeps its volume, a mesh keeps it on average. Where a point of a cell has less than this share of its
         volume left, or the inverse of it, the cell bends in a way that the rubber cannot.
+    flat : float
+        Share of the mean Jacobian determinant of a cell at rest below which a node says nothing: sides that meet on an
+        axis, or in one line, have none there.
     """
 
     volume_share: float = 0.5
+    flat: float = 1e-3
 
 
 DISTORTION = DistortionSettings()
