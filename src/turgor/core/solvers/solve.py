@@ -23,7 +23,7 @@ from turgor.core.solvers.checks.materials import rubber_findings
 from turgor.core.solvers.checks.membranes import compressed_membranes
 from turgor.core.solvers.checks.plate import plate_findings
 from turgor.core.solvers.checks.supports import free_motions
-from turgor.core.solvers.checks.time_steps import too_long_steps
+from turgor.core.solvers.checks.time_steps import steps_too_long_for_channels, too_long_steps
 from turgor.core.solvers.continuation.guide import check_guide
 from turgor.core.solvers.listeners import Listeners
 from turgor.core.solvers.path_outcomes import limit_point_findings, unwatched_stability
@@ -262,6 +262,7 @@ def _solved(
         *unwatched_stability(tangent.iterative, system.size),
         *procedure.findings(problem.states),
         *too_long_steps(model, procedure, problem.states),
+        *steps_too_long_for_channels(problem.states),
     )
     solution = Solution(
         model=model,

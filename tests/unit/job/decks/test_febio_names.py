@@ -21,7 +21,7 @@ CURVE = '<load_controller id="1" type="loadcurve"><points><pt>0,0</pt><pt>1,-5</
         ({"mesh": f'{BRICKS}{SETS}<NodeSet name="TOP">1,2</NodeSet>'}, ['<NodeSet name="TOP">', "another one"]),
         ({"mesh": BRICKS + SETS + SETS.splitlines()[-1]}, ['<Surface name="LID">', "another one"]),
         ({"material": SOFT + SOFT.replace('id="1"', 'id="2"')}, ['<material id="2"', "another one"]),
-        ({"material": SOFT + SOFT.replace("SOFT", "HARD")}, ['name="HARD"', "another one before it is '1'"]),
+        ({"material": SOFT + SOFT.replace("SOFT", "HARD")}, ['name="HARD"', "is '1'"]),
         ({"material": SOFT.replace("<k>", "<G>9</G><k>")}, ["<G>", "the second <G>"]),
         ({"more": f"<LoadData>{CURVE}</LoadData>"}, ['<load_controller id="1"', "another one"]),
         ({"more": '<Boundary from="other.feb"/>'}, ["<Boundary>", "another file"]),
