@@ -66,7 +66,7 @@ def test_points_at_rest_do_not_lessen_the_error():
 
 def test_what_cannot_be_fitted_is_refused():
     known = strips()
-    with refused("nu is nan"):
+    with refused("nu", "nan"):
         fit_woven(known, nu=float("nan"))
     with refused("bias", "warp", "weft"):
         fit_woven({cut: known[cut] for cut in ("warp", "weft")}, nu=0.2)
