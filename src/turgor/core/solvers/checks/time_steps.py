@@ -60,11 +60,10 @@ def steps_too_long_for_channels(states: Sequence[State]) -> tuple[Finding, ...]:
 def _equalizing(states: Sequence[State], channel: Channel, notable: float) -> list[tuple[float, float]]:
     """Lengths [s] and resistances of the steps in which the difference of pressure along a channel changes [Pa]."""
     out = []
-    for before, after in pairwise(states):
+    here, there = channel.between
+    gaps = [state.pressures.get(here, 0.0) - state.pressures.get(there, 0.0) for state in states]
+    for (before, after), (one, other) in zip(pairwise(states), pairwise(gaps), strict=True):
         share = channel.share(after.load_factor)
-        one, other = (
-            np.subtract(*(state.pressures.get(name, 0.0) for name in channel.between)) for state in (before, after)
-        )
         if share > 0 and abs(other - one) > notable:
             out.append(((after.time or 0.0) - (before.time or 0.0), channel.resistance / share))
     return out

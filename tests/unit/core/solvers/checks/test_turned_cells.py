@@ -1,11 +1,13 @@
 """Cells that fold about a corner get a finding (N06), and no integration point of a state is turned inside out."""
 
+import numpy as np
 import pytest
 
 import meshes
 import problems
 import turgor as tg
 from turgor.core.engine.fields import cell_fields
+from turgor.core.engine.system import System
 from turgor.core.materials.laws.laws import CompressibleNeoHooke
 from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
 from turgor.core.solvers.checks.distortion import turned_cells
@@ -36,3 +38,13 @@ def test_a_cube_that_folds_over_its_plates_is_reported(kind, material):
 def test_a_little_squeeze_turns_nothing():
     model = pressed(RUBBER, (2, 2, 2), HEXAHEDRON, depth=0.2)
     assert not turned_cells(model, problems.solve(model).states)
+
+
+@pytest.mark.parametrize("material", [RUBBER, FOAM], ids=["rubber", "foam"])
+def test_no_iterate_has_a_turned_integration_point(material):
+    """The engine evaluates no residual where the volume ratio of any point is zero or less."""
+    system = System(pressed(material, (1, 1, 1), HEXAHEDRON))
+    for depth, allowed in ((0.9, True), (1.5, False)):
+        unknowns = np.zeros(system.size)
+        unknowns[2 : 3 * system.node_count : 3] = -depth * system.points[:, 2]
+        assert (system.evaluate(unknowns, 1.0) is not None) == allowed
