@@ -9,10 +9,10 @@ from turgor.core.engine.cells.reference import reference_nodes, tables_at
 from turgor.core.engine.fields import cell_fields
 from turgor.core.materials.material import Material
 from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
+from turgor.core.model.drive import kinks
 from turgor.core.model.model import Model
 from turgor.core.solvers.checks.plausibility.of_materials import NO_RUBBER
 from turgor.core.solvers.checks.settings import DISTORTION
-from turgor.core.solvers.checks.telling_states import telling_states
 from turgor.core.solvers.solution import State
 from turgor.foundation.finding import Finding, Severity
 
@@ -70,6 +70,22 @@ def distortion_text(state: State) -> str:
         f" The cell at ({place}) mm has {worst[0]:.2g} times its volume at one of its points, though rubber keeps its "
         "volume: the mesh is too coarse there to tell whether the body or the cell gives way."
     )
+
+
+def telling_states(model: Model, states: Sequence[State]) -> tuple[State, ...]:
+    """Return the states at the turns of the loads, the one with the largest displacement, and the last one, each once.
+
+    Parameters
+    ----------
+    model : Model
+    states : sequence of State
+    """
+    if not states:
+        return ()
+    farthest = max(states, key=lambda state: float(np.abs(state.displacement).max()))
+    turns = kinks(model)
+    chosen = (*(state for state in states if state.load_factor in turns), farthest, states[-1])
+    return tuple({id(state): state for state in chosen}.values())
 
 
 def turned_cells(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:

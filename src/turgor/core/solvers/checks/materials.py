@@ -8,8 +8,8 @@ from turgor.core.materials.fitting.checks import check_stretch_range
 from turgor.core.materials.library.doubts import doubts_of
 from turgor.core.model.model import Model
 from turgor.core.solvers.checks.distinct import distinct, regions_and_sheets
+from turgor.core.solvers.checks.distortion import telling_states
 from turgor.core.solvers.checks.tearing.findings import tearing_findings
-from turgor.core.solvers.checks.telling_states import telling_states
 from turgor.core.solvers.solution import State
 from turgor.foundation.finding import Finding, Severity
 
