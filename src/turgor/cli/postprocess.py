@@ -76,10 +76,14 @@ def _tell_runs(run: Path, other: Path, comparison: "Comparison") -> None:
     from turgor.accuracy.laboratory.two_runs import differences, differing_keys
     from turgor.job.compare import stated_values
 
-    keys = differing_keys(stated_values(run), stated_values(other))
+    stated = {path: stated_values(path) for path in (run, other)}
+    unknown = [str(path) for path in stated if not stated[path]]
+    keys = [] if unknown else differing_keys(stated[run], stated[other])
     for key, first, second in keys:
         typer.echo(f"  {key}: {first} against {second}")
-    if not keys:
+    if unknown:
+        typer.echo(f"The jobs are not compared: there is no lock file of {' and '.join(unknown)}.")
+    elif not keys:
         typer.echo("The jobs have the same values, as far as their lock files say.")
     rows: list[tuple[str, ...]] = [("column", run.name, other.name, "RMS", "of range")]
     rows += [each.cells() for each in differences(comparison.computed, comparison.measured, comparison)]

@@ -109,6 +109,8 @@ def _of_specimen(name: str, specimen: Response, mean: Comparison) -> str:
 
 def _measured(experiment: Path, options: ComparisonOptions) -> tuple[Response, dict[str, Response]]:
     """Read what a run is compared with: the table of a laboratory, or the response of another run."""
+    if experiment.is_dir() and not (experiment / RESPONSE).is_file():
+        raise TurgorError(f"'{experiment}' holds no {RESPONSE}; the folder of a run or a table is needed.")
     file = experiment / RESPONSE if (experiment / RESPONSE).is_file() else experiment
     if is_run(experiment):
         run = read_response(file, Source(text=file.resolve().parent.name.removesuffix("-results")))
@@ -122,9 +124,9 @@ def is_run(experiment: Path) -> bool:
     return file.is_file() and file.read_bytes().removeprefix(BOM)[: len(OF_A_RUN)] == OF_A_RUN
 
 
-def stated_values(folder: Path) -> dict[str, Any]:
-    """Return the content of the lock file of a run; empty where there is none."""
-    file = folder / LOCK
+def stated_values(run: Path) -> dict[str, Any]:
+    """Return the content of the lock file of a run, named by its folder or its response; empty where there is none."""
+    file = (run.parent if run.name == RESPONSE else run) / LOCK
     return tomllib.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
 
 

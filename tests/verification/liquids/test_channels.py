@@ -116,6 +116,18 @@ def test_a_cavity_fills_in_motion(compliance, record_verification):
     assert got == pytest.approx(exact, rel=2e-3)
 
 
+@pytest.mark.parametrize(("constants", "said"), [(1.0, False), (8.0, True), (400.0, False)])
+def test_steps_that_are_long_for_a_channel_are_reported(compliance, constants, said):
+    """Four steps over so many time constants: R dV/dp stands in the finding."""
+    resistance = TIME / constants / compliance[1, 1]
+    findings = problems.solve(bar(OPEN[0], channel(resistance)), steps(4)).findings
+    long = [each.message for each in findings if each.code == "L15"]
+    assert bool(long) is said
+    if said:
+        assert "Steps of 0.125 s" in long[0]
+        assert f"= {TIME / constants:.2g}" in long[0]
+
+
 def test_what_moves_nothing_is_refused():
     with refused("cavity_1 and cavity_2", "moves nothing", "pressure load"):
         check_before_solve(bar(*OPEN, channel(1e9)), steps(4))
@@ -126,5 +138,7 @@ def test_what_moves_nothing_is_refused():
         bar(tg.loads.Channel(between=("cavity_1", "cavity_3"), resistance=1e9))
     with refused("between is", "two cavities"):
         tg.loads.Channel(between=("cavity_1", "cavity_1"), resistance=1e9)
+    with refused("between is", "two cavities"):
+        tg.loads.Channel(between=(1, 2), resistance=1e9)
     with refused("resistance is -1", "above 0"):
         tg.loads.Channel(between=NAMES, resistance=-1)

@@ -21,6 +21,7 @@ from refused import refused
 from turgor.core.engine.liquids.morison import MorisonForces, strips_of
 from turgor.core.engine.system import System
 from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.results.measures.work.thrust_measures import cycle_of
 from turgor.core.solvers.procedures.dynamic import Dynamic
 
 LENGTH, SIDE, RUBBER, WATER, ADDED = 0.1, 0.005, 1070.0, 1000.0, 1.5
@@ -86,3 +87,16 @@ def test_thrust_needs_a_motion_and_a_cycle():
     moving = problems.solve(model, Dynamic(duration=0.1, first_step=0.05, max_step=0.05))
     with refused("thrust_x", "over a cycle", "history_over_time"):
         tg.measure(moving, tg.measures.thrust_x)
+
+
+def test_coarse_and_unlike_cycles_have_no_thrust():
+    shaking = tg.loads.Force("x1", (0.0, 0.0, 1e-4), history="sin(2*pi*s)**2")  # two cycles
+    for count, known in ((14, False), (16, True)):
+        step = 0.1 / count
+        procedure = Dynamic(duration=0.1, first_step=step, max_step=step, adaptive=False)
+        thrust = tg.measure(problems.solve(bar(1, shaking), procedure), tg.measures.thrust_x).column("thrust_x")
+        assert np.isfinite(thrust[-1]) == known
+    unlike = bar(1, replace(shaking, history="sin(4*pi*s)"), replace(shaking, history="sin(6*pi*s)"))
+    with refused("cycles of 0.5 and 0.3333"):
+        cycle_of(unlike)
+    assert cycle_of(bar(1, shaking, replace(shaking, history="sin(8*pi*s)"))) == pytest.approx(0.5)

@@ -16,13 +16,14 @@ from turgor.core.model.continued_model import at_start
 from turgor.core.model.model import Model
 from turgor.core.solvers.checkpoints.record import Question, RunRecord
 from turgor.core.solvers.checks.contact import deep_penetrations, elastic_slips, meeting_walls
+from turgor.core.solvers.checks.distortion import turned_cells
 from turgor.core.solvers.checks.early_findings import check_before_solve
 from turgor.core.solvers.checks.explanations import explained
 from turgor.core.solvers.checks.materials import rubber_findings
 from turgor.core.solvers.checks.membranes import compressed_membranes
 from turgor.core.solvers.checks.plate import plate_findings
 from turgor.core.solvers.checks.supports import free_motions
-from turgor.core.solvers.checks.time_steps import too_long_steps
+from turgor.core.solvers.checks.time_steps import steps_too_long_for_channels, too_long_steps
 from turgor.core.solvers.continuation.guide import check_guide
 from turgor.core.solvers.listeners import Listeners
 from turgor.core.solvers.path_outcomes import limit_point_findings, unwatched_stability
@@ -255,11 +256,13 @@ def _solved(
         *meeting_walls(model, problem.states),
         *deep_penetrations(problem.states),
         *compressed_membranes(model, problem.states),
+        *turned_cells(model, problem.states),
         *elastic_slips(system, problem.states),
         *limit_point_findings(problem.limits, procedure.limit_points),
         *unwatched_stability(tangent.iterative, system.size),
         *procedure.findings(problem.states),
         *too_long_steps(model, procedure, problem.states),
+        *steps_too_long_for_channels(problem.states),
     )
     solution = Solution(
         model=model,

@@ -211,6 +211,16 @@ def test_two_runs_name_what_differs(tmp_path, capsys):
     assert "reaction" not in said  # round-off in both
     (still,) = [each.split() for each in said.splitlines() if each.startswith("tip_displacement")]
     assert still[2:4] == ["1", "1"] and "inf" not in said
+    tables = [str(tmp_path / name / "response.csv") for name in ("soft", "stiff")]
+    assert main(["compare", *tables]) == DONE
+    assert "materials.body.C10: 0.1 MPa against 0.2 MPa" in capsys.readouterr().out
+    (tmp_path / "stiff" / "job.lock.toml").unlink()
+    assert main(["compare", *tables]) == DONE
+    said = capsys.readouterr().out
+    assert "same values" not in said and f"no lock file of {tables[1]}" in said
+    (tmp_path / "stiff" / "response.csv").unlink()
+    assert main(["compare", tables[0], str(tmp_path / "stiff")]) != DONE
+    assert "holds no response.csv" in capsys.readouterr().err
 
 
 def test_a_rig_that_gives_way_on_the_command_line(tmp_path, capsys, monkeypatch):

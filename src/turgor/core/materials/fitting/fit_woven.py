@@ -115,6 +115,8 @@ def fit_woven(tests: Mapping[str, MaterialTest | Sequence[MaterialTest]], *, nu:
     """
     known = tuple((cut, each) for cut, some in tests.items() for each in _several(some))
     _check(known)
+    if not np.isfinite(nu):
+        raise TurgorError(f"nu is {nu:g}; a number such as 0.2 is needed.")
     moduli, errors = {}, {}
     for cut in STRIPS:
         moduli[cut], errors[cut] = _modulus([test for each, test in known if each == cut])
@@ -146,12 +148,14 @@ def _modulus(tests: Sequence[MaterialTest]) -> tuple[float, float]:
     lines = []
     for test in tests:
         x, y = strip_strain(test.stretch), test.nominal_stress
+        if np.count_nonzero(x) < 2:
+            raise TurgorError(f"test '{test.name}' has one point apart from rest; a line and its error need two.")
         size = float(x @ x)
-        slope = float(x @ y) / size if size else 0.0
+        slope = float(x @ y) / size
         if not slope > 0:
             raise TurgorError(f"the stress of test '{test.name}' does not rise with the stretch; check its sign.")
         rest = y - slope * x
-        lines.append((slope, float(np.sqrt(rest @ rest / max(len(x) - 1, 1) / size))))
+        lines.append((slope, float(np.sqrt(rest @ rest / (np.count_nonzero(x) - 1) / size))))
     slopes = np.array([slope for slope, _ in lines])
     if len(slopes) > 1:
         return float(slopes.mean()), float(slopes.std(ddof=1))

@@ -57,7 +57,7 @@ class Channel(Load):
 
     def __post_init__(self) -> None:
         between = (self.between,) if isinstance(self.between, str) else tuple(self.between)
-        if len(between) != 2 or len(set(between)) != 2:
+        if len(between) != 2 or len(set(between)) != 2 or not all(isinstance(name, str) for name in between):
             raise TurgorError(f"channel: between is {self.between!r}; two cavities are needed.")
         object.__setattr__(self, "between", between)
         subject = f"channel between {self.place}"

@@ -2,15 +2,13 @@
 
 from collections.abc import Iterable, Sequence
 
-import numpy as np
-
 from turgor.core.engine.fields import cell_fields
 from turgor.core.engine.percentiles import volume_percentile
 from turgor.core.materials.fitting.checks import check_stretch_range
 from turgor.core.materials.library.doubts import doubts_of
-from turgor.core.model.drive import kinks
 from turgor.core.model.model import Model
 from turgor.core.solvers.checks.distinct import distinct, regions_and_sheets
+from turgor.core.solvers.checks.distortion import telling_states
 from turgor.core.solvers.checks.tearing.findings import tearing_findings
 from turgor.core.solvers.solution import State
 from turgor.foundation.finding import Finding, Severity
@@ -49,11 +47,8 @@ def laws_beyond_their_tests(model: Model, states: Sequence[State]) -> tuple[Find
     tested = {name: each for name, each in model.region_materials.items() if each.stretch_range is not None}
     if not states or not tested:
         return ()
-    turns = kinks(model)
-    farthest = max(states, key=lambda state: float(np.abs(state.displacement).max()))
-    looked_at = (*(s for s in states if s.load_factor in turns), farthest, states[-1])
     largest = dict.fromkeys((id(material) for material in tested.values()), 1.0)
-    for state in {id(state): state for state in looked_at}.values():
+    for state in telling_states(model, states):
         cells = cell_fields(state.model, state.displacement, state.mean_stress, None, state.load_factor)
         for name, material in tested.items():
             here = volume_percentile(cells, cells.stretch, model.mesh.regions[name])

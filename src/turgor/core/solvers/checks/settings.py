@@ -93,9 +93,13 @@ class DistortionSettings:
     volume_share : float
         Rubber keeps its volume, a mesh keeps it on average. Where a point of a cell has less than this share of its
         volume left, or the inverse of it, the cell bends in a way that the rubber cannot.
+    flat : float
+        Share of the mean Jacobian determinant of a cell at rest below which a node says nothing: sides that meet on an
+        axis, or in one line, have none there.
     """
 
     volume_share: float = 0.5
+    flat: float = 1e-3
 
 
 DISTORTION = DistortionSettings()
@@ -155,12 +159,16 @@ class TimeStepsSettings:
         steps, beyond the second, are always nearly relaxed and do no harm.
     hold_share : float
         A step in which no node moves by more than this share of the largest displacement counts as a hold, which is
-        exact.
+        exact. So does one in which the difference of pressure along a channel changes by less than this share of the
+        largest pressure.
+    good_channel_step : float
+        Step over the time constant of a channel from which pressures err by 0.2 %.
     """
 
     long_relaxation_step: float = 0.6
     fast_relaxation: float = 20.0
     hold_share: float = 0.02
+    good_channel_step: float = 0.125
 
 
 TIME_STEPS = TimeStepsSettings()

@@ -99,17 +99,18 @@ def curves_of(root: Element) -> Mapping[str, Curve | Element]:
     for data in root.all("LoadData"):
         for each in data.all("load_controller", "loadcurve"):
             old = each.tag == "loadcurve"  # of FEBio 2
+            name = each.first_of_its_name(curves, each.given.get("id", ""))
             if not old and each.given.get("type") != "loadcurve":
-                curves[each.given.get("id", "")] = each
+                curves[name] = each
                 continue
             shape = (each.given.get("type", "linear") if old else each.word("interpolate", "LINEAR")).upper()
             extend = (each.given.get("extend", "constant") if old else each.word("extend", "CONSTANT")).upper()
             points = [_pair(point) for point in (each.first("points") or each).all("pt", "point", "loadpoint")]
             known = shape in ("LINEAR", "STEP", "SMOOTH") and extend in ("CONSTANT", "EXTRAPOLATE", "REPEAT")
             if not points or not known or _backward(points):
-                curves[each.given.get("id", "")] = each
+                curves[name] = each
                 continue
-            curves[each.given.get("id", "")] = Curve(points=points, shape=shape, extend=extend)
+            curves[name] = Curve(points=points, shape=shape, extend=extend)
     return curves
 
 

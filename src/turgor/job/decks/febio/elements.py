@@ -4,11 +4,13 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import NoReturn
+from typing import NoReturn, TypeVar
 from xml.parsers import expat
 
 from turgor.core.meshing.exchange.formats.abaqus import Keyword
 from turgor.foundation.errors import TurgorError
+
+T = TypeVar("T", int, str)
 
 #: Attributes that say which element it is.
 _TELLING = ("id", "name", "type", "mat", "node_set", "surface", "surface_pair")
@@ -79,17 +81,26 @@ class Element:
 
     def number(self, tag: str, default: float | None = None) -> float:
         """The number of a child, which must not vary over time or place."""
-        child = self.first(tag)
-        if child is None:
+        children = list(self.all(tag))
+        if not children:
             if default is None:
                 self.fail(f"it has no <{tag}>.")
             return default
+        child = children[-1]
+        if len(children) > 1:
+            child.fail(f"it is the second <{tag}> of {self.label}; one is needed.")
         if "lc" in child.given or child.given.get("type", "const") != "const":
             child.fail("a value that varies over time or place has no form here.")
         values = child.numbers()
         if len(values) != 1:
             child.fail(f"it has {len(values)} numbers; one is needed.")
         return values[0]
+
+    def first_of_its_name(self, table: Mapping[T, object], name: T) -> T:
+        """The name under which it is defined; an error where the table has another one of that name."""
+        if name in table:
+            self.fail(f"another one before it is '{name}', too; names and numbers must differ.")
+        return name
 
     def keyword(self, kind: str, lines: Sequence[str] = (), given: Mapping[str, str] | None = None) -> Keyword:
         """A keyword of a deck that stands for it."""

@@ -18,6 +18,9 @@ CELLS: Mapping[str, tuple[str, int, int, int]] = {
     "quad9": ("S8", 9, 8, 4), "tri3": ("S3", 3, 3, 3), "tri6": ("S6", 6, 6, 3),
 }  # fmt: skip
 
+#: Largest number of a node or cell, that of a file of FEBio.
+LARGEST = 2**31 - 1
+
 #: Corners of the facets of a surface by their type.
 FACETS: Mapping[str, int] = {
     "tri3": 3, "tri6": 3, "tri7": 3, "tri10": 3, "quad4": 4, "quad8": 4, "quad9": 4,
@@ -132,7 +135,7 @@ def _take_nodes(mesh: FebMesh, section: Element) -> Iterator[Keyword]:
         values = node.numbers()
         if len(values) != 3:
             node.fail(f"it has {len(values)} numbers; three coordinates are needed.")
-        mesh.points[_number(node)] = tuple(values)
+        mesh.points[node.first_of_its_name(mesh.points, _number(node))] = tuple(values)
     if section.given.get("name"):
         mesh.node_sets.setdefault(section.given["name"], [_number(node) for node in section.all("node")])
     yield from ()
@@ -146,11 +149,13 @@ def _take_cells(mesh: FebMesh, section: Element) -> Iterator[Keyword]:
     word, count, used, corners = CELLS[kind]
     name = section.given.get("name") or section.given.get("elset") or f"part{len(mesh.parts) + 1}"
     cells = mesh.parts.setdefault(name, {})
+    if mesh.owners.get(f"part {name}", section).given.get("type") != kind:
+        section.fail(f"another part '{name}' before it has cells of another type; give each its own name.")
     for cell in section.all("elem"):
         nodes = cell.whole_numbers()
         if len(nodes) != count:
             cell.fail(f"it has {len(nodes)} nodes; cells of the type {kind} have {count}.")
-        cells[_number(cell)] = nodes[:used]
+        cells[cell.first_of_its_name(cells, _number(cell))] = nodes[:used]
     mesh.solids[name], mesh.corners[name] = word.startswith("C3D"), corners
     mesh.owners[f"part {name}"] = section
 
@@ -160,7 +165,9 @@ def _take_node_set(mesh: FebMesh, section: Element) -> Iterator[Keyword]:
     wrong = [node for node in nodes if node not in mesh.points]
     if wrong:
         section.fail(f"node {wrong[0]} is used, but the file does not define it.")
-    mesh.node_sets[section.given.get("name", "")] = nodes
+    name = section.given.get("name", "")  # may be that of all nodes
+    mesh.owners[section.first_of_its_name(mesh.owners, f"node set {name}")] = section
+    mesh.node_sets[name] = nodes
     yield from ()
 
 
@@ -174,7 +181,7 @@ def _take_surface(mesh: FebMesh, section: Element) -> Iterator[Keyword]:
         if wrong:
             facet.fail(f"node {wrong[0]} is used, but the file does not define it.")
         rows.append(tuple(nodes[: FACETS[facet.tag]]))
-    mesh.facets[section.given.get("name", "")] = rows
+    mesh.facets[section.first_of_its_name(mesh.facets, section.given.get("name", ""))] = rows
     mesh.owners[f"surface {section.given.get('name', '')}"] = section
     yield from ()
 
@@ -196,8 +203,8 @@ def _pass(mesh: FebMesh, section: Element) -> Iterator[Keyword]:
 
 def _number(element: Element) -> int:
     word = element.given.get("id", "")
-    if not word.isdigit():
-        element.fail(f"its id is '{word}'; a whole number is needed.")
+    if not (word.isdecimal() and int(word) <= LARGEST):
+        element.fail(f"its id is '{word}'; a whole number up to {LARGEST} is needed.")
     return int(word)
 
 

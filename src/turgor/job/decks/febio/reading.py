@@ -42,6 +42,9 @@ def keywords_of_febio(path: Path) -> list[Keyword]:
     root = read_elements(path)
     if root.tag != "febio_spec":
         root.fail("a .feb file begins with <febio_spec>.")
+    for each in (root, *root.children, *(inner for section in root.children for inner in section.children)):
+        if "from" in each.given or each.tag == "Include":
+            each.fail("what stands in another file is not read; put it into this one.")
     module = root.first("Module")
     if module is not None and module.given.get("type", "solid") != "solid":
         module.fail("only models of solids are read.")
@@ -71,7 +74,10 @@ def _material(material: Element, weighs: bool) -> list[Keyword]:
 
 def _sections(root: Element, mesh: FebMesh, materials: list[Element]) -> tuple[list[Keyword], list[str]]:
     """Sections of the deformable parts, and the names of the rigid ones."""
-    known = {key: each for each in materials for key in (each.given.get("name"), each.given.get("id")) if key}
+    known: dict[str, Element] = {}
+    for each in materials:
+        for key in filter(None, {each.given.get("name"), each.given.get("id")}):
+            known[each.first_of_its_name(known, key)] = each
     domains = {each.given.get("name", ""): each for section in root.all("MeshDomains") for each in section.children}
     rows, rigid = [], []
     for part in mesh.parts:

@@ -54,8 +54,20 @@ def test_strips_of_several_specimens_differ_by_their_standard_deviation():
         strip_strain(STRETCH) ** 2)) / strip_strain(STRETCH).max())  # fmt: skip
 
 
+def test_points_at_rest_do_not_lessen_the_error():
+    """They lie on any line through rest; a strip with one other point has no scatter."""
+    made = strips(0.02, 1)["warp"]
+    rest = [replace(made, stretch=np.append(1.0, STRETCH), nominal_stress=np.append(0.0, made.nominal_stress))]
+    errors = [fit_woven(strips() | {"warp": each}, nu=0.25).errors["E"] for each in (made, *rest)]
+    assert errors[1] == pytest.approx(errors[0], rel=1e-12)
+    with refused("'warp'", "one point", "need two"):
+        fit_woven(strips() | {"warp": replace(made, stretch=[1.0, 1.01], nominal_stress=[0.0, 3e6])}, nu=0.25)
+
+
 def test_what_cannot_be_fitted_is_refused():
     known = strips()
+    with refused("nu", "nan"):
+        fit_woven(known, nu=float("nan"))
     with refused("bias", "warp", "weft"):
         fit_woven({cut: known[cut] for cut in ("warp", "weft")}, nu=0.2)
     with refused("baias", "bias"):

@@ -19,6 +19,11 @@ class CycleSettings:
         Largest errors of a history that repeats itself, by round-off and by the width of the refined shift.
     shift : float
         Accuracy of a shift, as a share of the path.
+    fit : float
+        Largest distance of the ratio of two cycles from a whole number.
+    least_steps : int
+        Fewest steps in a cycle whose mean is taken: the thrust has twice the frequency of the motion, and four steps
+        show each of its waves.
     """
 
     samples: int = 2520
@@ -27,6 +32,8 @@ class CycleSettings:
     same: float = 1e-9
     same_refined: float = 1e-5
     shift: float = 1e-9
+    fit: float = 1e-3
+    least_steps: int = 8
 
 
 CYCLES = CycleSettings()

@@ -71,7 +71,7 @@ def cycle_of(model: Model) -> float:
     Raises
     ------
     TurgorError
-        If no load repeats within the path.
+        If no load repeats within the path, or the cycles of two loads do not fit into each other.
     """
     periods = [period for load in model.loads if (period := period_of(load.history)) is not None]
     if not periods:
@@ -79,11 +79,18 @@ def cycle_of(model: Model) -> float:
             "it is a mean over a cycle, and no load has a history that repeats; state one of two cycles or more, such "
             'as history_over_time = "sin(2*pi*t/0.5)**2".'
         )
-    return max(periods)
+    longest = max(periods)
+    for period in periods:
+        if abs(longest / period - round(longest / period)) > CYCLES.fit:
+            raise TurgorError(
+                f"it is a mean over a cycle, and loads have cycles of {longest:.4g} and {period:.4g} of the path; the "
+                "longest must be a multiple of the others."
+            )
+    return longest
 
 
 def thrusts(path: Sequence[StateFields], axis: int) -> Array:
-    """Mean force along an axis over the cycle up to each state, (n,) [N]; nan within the first cycle.
+    """Mean force along an axis over the cycle up to each state, (n,) [N]; nan in the first cycle, and in coarse ones.
 
     Parameters
     ----------
@@ -98,7 +105,9 @@ def thrusts(path: Sequence[StateFields], axis: int) -> Array:
     force = -np.array([support_force(at)[axis] for at in path])
     sums = np.concatenate([[0.0], np.cumsum((force[1:] + force[:-1]) / 2 * np.diff(factors))])
     begins = factors - cycle
-    return np.where(begins < -CYCLES.shift, np.nan, (sums - np.interp(begins, factors, sums)) / cycle)
+    steps = np.arange(len(factors)) - np.searchsorted(factors, begins + CYCLES.shift, side="right") + 1
+    known = (begins >= -CYCLES.shift) & (steps >= CYCLES.least_steps)
+    return np.where(~known, np.nan, (sums - np.interp(begins, factors, sums)) / cycle)
 
 
 def _of_path(at: StateFields) -> float:
@@ -111,7 +120,7 @@ def _along(axis: str) -> Measure:
     return Measure(
         name=f"thrust_{axis}", unit="mN", function=_of_path, along=lambda path: thrusts(path, number), moving=True,
         definition=f"force along {axis} with which a moving actuator pushes its supports, mean over the last cycle of "
-        "its loads by the trapezoidal rule, whole actuator",
+        f"its loads by the trapezoidal rule, whole actuator; none for a cycle of less than {CYCLES.least_steps} steps",
     )  # fmt: skip
 
 
