@@ -6,9 +6,9 @@
 The paths of training and the full solves are saved in the folder, and a second run goes on with these. Two processes
 compute them.
 
-Three wound extenders of Ecoflex 00-30 between two plates, 60 mm long. Without threads such chambers balloon before the
-arm bends by 60°. The threads are soft, and embedded: they work in compression, too. The mesh is that of an arm of a
-third of the length, stretched along the axis.
+A cylinder of Ecoflex 00-30 with three round chambers, each wound with thread, 27.5 mm long and 9.5 mm thick, as the
+flexible microactuators of Suzumori. Without threads such chambers balloon before the arm bends by 60°. The threads are
+soft, and embedded: they work in compression, too. The mesh is that of a shorter arm, stretched along the axis.
 """
 
 import re
@@ -43,7 +43,7 @@ from turgor.units import MPa, deg, kPa, mm
 Array = NDArray[np.float64]
 
 PAGE, OPTIONS = Path(__file__).with_suffix(".md"), tg.EngineOptions(threads=1)
-STRETCH, PRESSURE, FORCE, WEIGHT = 3.0, 19.5 * kPa, 0.0093, 9.81
+STRETCH, PRESSURE, FORCE, WEIGHT = 2.75, 42 * kPa, 0.0083, 9.81
 CAVITIES = ("cavity_1", "cavity_2", "cavity_3")
 PRESSURES = {f"loads.{name}.pressure": (0.0, PRESSURE) for name in CAVITIES}
 #: Between the corners: chambers full, others half full; with forces and gravity at ends of their ranges.
@@ -55,10 +55,11 @@ SIGNS = np.random.default_rng(0).integers(0, 2, (8, 6)).astype(float)
 STATES, HELD_OUT = 1000, 64
 HEAD = """# Reduced models of an arm that bends to all sides
 
-Written by `python benchmarks/reduced/omnidirectional.py FOLDER`. Three wound extenders of Ecoflex 00-30, 60 mm long,
-with pressures to 19.5 kPa; and with a force on the tip and gravity of any direction, which are six more inputs.
-Held-out states are full solves at random pressures, with a force of any direction and size, and gravity of any
-direction. Times are processor time of one thread, those of states with the displacement of every node.
+Written by `python benchmarks/reduced/omnidirectional.py FOLDER`. A cylinder of Ecoflex 00-30 with three wound
+chambers, 27.5 mm long and 9.5 mm thick, with pressures to 42 kPa; and with a force on the tip and gravity of any
+direction, which are six more inputs. Held-out states are full solves at random pressures, with a force of any
+direction and size, and gravity of any direction. Times are processor time of one thread, those of states with the
+displacement of every node.
 
 """
 
@@ -83,7 +84,7 @@ CASES = {
         PRESSURES | {"loads.tip.vector": (-FORCE, FORCE), "loads.gravity.falling": (-WEIGHT, WEIGHT)},
         (tg.loads.Force("tip", (0, 0, FORCE)), tg.Gravity()),
         Budget(
-            error=0.01, paths=24, held_out=0, modes=48, steps=7,
+            error=0.01, paths=24, held_out=0, modes=38, steps=7,
             aims=tuple((*pressures, *others) for pressures, others in zip(PRESSED[:8], SIGNS.tolist(), strict=True)),
         ),
     ),
@@ -92,23 +93,30 @@ CASES = {
 
 def arm(*loads: tg.loads.Load) -> Model:
     """Make the full model, without pressure, with further loads."""
-    actuator = tg.actuators.ThreeExtenders(
-        inner_radius=3.4 * mm, wall=1.3 * mm, side=10 * mm, plate_margin=0.5 * mm,
-        length=50 * mm / STRETCH, cap=3 * mm / STRETCH, plate_thickness=5 * mm / STRETCH,
-    )  # fmt: skip
-    mesh = tg.mesh(actuator.build(), size=5.2 * mm, quality="draft")
+    actuator = tg.actuators.OmnidirectionalActuator(
+        outer_radius=4.75 * mm, chamber_size=3.6 * mm, wall=0.6 * mm, length=27.5 * mm / STRETCH, cap=2 * mm / STRETCH
+    )
+    mesh = tg.mesh(actuator.build(), size=4 * mm, quality="draft")
     rubber = tg.from_library("ecoflex-00-30", record="yeoh-steck-2019")
     thread = tg.Material(name="thread", law=tg.laws.Hooke(E=100 * MPa, nu=0.3))
-    winding = tg.Winding(angle_from_circumference=0 * deg, spacing=1 * mm)
+    winding = tg.Winding(angle_from_circumference=0 * deg, spacing=0.5 * mm)
+    sides = np.concatenate([_around(mesh, mesh.faces[name]) for name in CAVITIES])
     return tg.Model(
-        mesh=replace(mesh, points=mesh.points * np.array([STRETCH, 1.0, 1.0])),
-        materials={"body": rubber, "plate": rubber},
+        mesh=replace(mesh, points=mesh.points * np.array([STRETCH, 1.0, 1.0]), faces=mesh.faces | {"winding": sides}),
+        materials={"body": rubber},
         supports=(tg.Fixed("fixed"),),
         loads=(*(tg.Pressure(name, 1 * kPa) for name in CAVITIES), *loads),
         reinforcements=(
-            tg.Fibers(face="winding", material=thread, diameter=0.2 * mm, compression=1.0, winding=winding),
+            tg.Fibers(face="winding", material=thread, diameter=0.1 * mm, compression=1.0, winding=winding),
         ),
     )
+
+
+def _around(mesh: tg.Mesh, face: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Sides of a cavity that are no ends: those that do not face along the axis."""
+    corners = mesh.points[face[:, :3]]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return face[np.abs(normals[:, 0]) < 0.5 * np.linalg.norm(normals, axis=1)]
 
 
 def trained(folder: Path, case: Case) -> tuple[Reduced, float]:

@@ -66,7 +66,7 @@ def drive() -> Drive:
 @cache
 def built() -> Built:
     """Equations in six modes, before and after sampling."""
-    return build(system(), drive(), [path()], 6)
+    return build(system(), drive(), [path()], 6, 0.005)
 
 
 @cache
@@ -98,7 +98,7 @@ def trained(model: Model, equations: System, path: FullPath, modes: int) -> Redu
     """A reduced model of one path of a model."""
     at = model_variation(model, [KEY]).model
     training = Training(model, at, box(), Budget(), EngineOptions(threads=1), None, print)
-    made = build(equations, drive_of(equations, at, box()), [path], modes)
+    made = build(equations, drive_of(equations, at, box()), [path], modes, 0.005)
     return training.reduced(equations, made, [path])
 
 

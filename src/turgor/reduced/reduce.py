@@ -155,7 +155,7 @@ class Training:
         paths = self._paths(trainer, [*corners(box), *aims_of(box, budget.aims)][: budget.paths])
         count = modes_needed(system, paths, TRAINING.missed * budget.error, budget.modes)
         count = max(count, min(TRAINING.modes, budget.modes))
-        reduced = self.reduced(system, build(system, drive, paths, count), paths)
+        reduced = self.reduced(system, build(system, drive, paths, count, budget.error), paths)
         good, needed = 0, 1 if one_path(box) else budget.checks
         while good < needed and len(paths) < budget.paths:
             path = self._paths(trainer, [self._worst(reduced, paths)])[0]
@@ -166,7 +166,7 @@ class Training:
             paths.append(path)
             if reduced.known.errors.max() > budget.error or not forces:
                 count = min(count + TRAINING.more, budget.modes)
-            reduced = self.reduced(system, build(system, drive, paths, count), paths)
+            reduced = self.reduced(system, build(system, drive, paths, count, budget.error), paths)
         if budget.motion:
             reduced = replace(reduced, masses=masses_of(system, reduced.modes.astype(np.float64)))
         return self._looked_at(reduced, trainer, paths)

@@ -44,8 +44,9 @@ class SamplingSettings:
     Parameters
     ----------
     tolerance : float
-        Error of the sampled forces, as an error of the coordinates over their size, at which no more cells are added.
-        With 1e-4 an arm with three pressures has 729 points, not 484, and the same errors at 64 held-out states.
+        Error of the sampled forces, as an error of the coordinates over their size and over the wanted error, at which
+        no more cells are added. With half of it an arm with three pressures has 729 points, not 484, and the same
+        errors at 64 held-out states.
     cells : float
         Share of the tolerance with which cells are chosen first; points are chosen among theirs. All points at once
         would need gigabytes.
@@ -70,7 +71,7 @@ class SamplingSettings:
         Share of the moments of the lost volume of hexahedra that their combinations may miss.
     """
 
-    tolerance: float = 2e-4
+    tolerance: float = 0.04
     cells: float = 0.5
     most: int = 300
     perturbation: float = 0.01
@@ -100,7 +101,7 @@ class TensionSettings:
     largest : float
         Second Piola–Kirchhoff tension over the stiffness at most. At 0.9 a piece is ten times as long as at rest.
     tolerance : float
-        Last change of the tensions over their largest.
+        Last change of the tensions over their largest; what it leaves is of the size of its square.
     iterations : int
         Updates of the tensions.
     """
@@ -108,7 +109,7 @@ class TensionSettings:
     modes: int = 8
     truncation: float = 1e-6
     largest: float = 0.9
-    tolerance: float = 1e-10
+    tolerance: float = 1e-7
     iterations: int = 30
 
 

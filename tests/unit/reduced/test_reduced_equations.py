@@ -104,6 +104,10 @@ def test_few_points_give_the_states_of_all_points():
         assert np.linalg.norm(found.at.y[:6] - made.y[4, :6]) < 5e-3 * made.size
 
 
+def test_a_larger_wanted_error_needs_fewer_points():
+    assert build_module.build(system(), drive(), [path()], 6, 0.05).counts["points"] < built().counts["points"]
+
+
 def test_as_many_mean_stress_modes_as_displacement_modes_lock():
     """As many constraints as coordinates leave nothing to move: displacements are off, mean stresses without bounds."""
     made = built()

@@ -5,12 +5,14 @@ Positions are linear in the coordinates q, so with q̂ = (1, q) a volume is the 
 quadratic form of the products q̂ᵢ q̂ⱼ.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import permutations
 
 import numpy as np
 from numpy.typing import NDArray
+
+from turgor.foundation.store.codec import SEVEN_DIGITS
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -28,7 +30,7 @@ class Cubics:
         R, one more than there are coordinates.
     """
 
-    packed: Array
+    packed: Array = field(metadata=SEVEN_DIGITS)
     size: int
 
     def at(self, q: Array) -> "CubicsAt":

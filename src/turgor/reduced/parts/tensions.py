@@ -10,6 +10,7 @@ The left term of the condition is quadratic in q, so it is exact; the tension N 
 """
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +21,7 @@ from turgor.reduced.settings import TENSIONS
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Tensions:
     """Modes of the tension of fibers.
 
@@ -53,9 +54,8 @@ class Tensions:
 
         It is the smallest value of a convex function, which Newton's method finds while all stretches are finite.
         """
-        shares = self.modes / self.stiffness
-        own, inverse = np.zeros(len(strains)), np.linalg.inv((shares * self.weights) @ self.modes.T).astype(np.float64)
-        left, change = strains, inverse @ strains
+        shares, at_rest = self._at_rest
+        own, left, change = np.zeros(len(strains)), strains, at_rest @ strains
         for _ in range(TENSIONS.iterations):
             share = (own + change) @ shares
             while share.max() >= TENSIONS.largest:
@@ -70,6 +70,12 @@ class Tensions:
             if not np.isfinite(change).all():
                 return None
         return None
+
+    @cached_property
+    def _at_rest(self) -> tuple[Array, Array]:
+        """Shares (m, k) of the stiffness that the modes are, and ∂σ/∂strains (m, m) without tension."""
+        shares = self.modes / self.stiffness
+        return shares, np.linalg.inv((shares * self.weights) @ self.modes.T).astype(np.float64)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

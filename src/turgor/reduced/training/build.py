@@ -60,7 +60,7 @@ class Built:
         return float(np.linalg.norm(self.y[:, : self.modes.vectors.shape[1]], axis=1).max())
 
 
-def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: int) -> Built:
+def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: int, wanted: float) -> Built:
     """Make modes and equations of training paths.
 
     Parameters
@@ -71,6 +71,8 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     paths : sequence of Path
     modes : int
         Displacement modes at most.
+    wanted : float
+        Wanted error of the displacement, over the largest.
 
     Returns
     -------
@@ -104,7 +106,7 @@ def build(system: System, drive: assembly.Drive, paths: Sequence[Path], modes: i
     swings = np.concatenate([path.inertial[0] @ basis.dual for path in paths if len(path.inertial[0])] or [y[:0, :1]])
     trials = [np.hstack([u.reshape(len(u), len(basis.dual)) @ basis.dual, p @ stresses.dual]) for _, u, p in cycled]
     at = np.vstack([inputs, *(aim for aim, _, _ in cycled)])
-    chosen, checks, counts = sample(whole, at, np.vstack([y, *trials]), swings)
+    chosen, checks, counts = sample(whole, at, np.vstack([y, *trials]), swings, wanted)
     counts["contact points"] = sum(len(each.points) for each in close)
     return Built(_one_sheet(whole.with_parts(chosen)), whole, basis, stresses, inputs, y, checks, counts, drive.faces)
 
@@ -165,7 +167,7 @@ def bases(system: System, paths: Sequence[Path], modes: int, of_stress: int = 0)
 
 
 def sample(
-    whole: assembly.Whole, inputs: Array, y: Array, swings: Array
+    whole: assembly.Whole, inputs: Array, y: Array, swings: Array, wanted: float
 ) -> tuple[tuple[Part, ...], tuple[Part, ...], dict[str, int]]:
     """Choose cells, and sides and edges of shells: the sampled parts, other ones to check them, and how many.
 
@@ -174,7 +176,7 @@ def sample(
     starts = np.append(np.flatnonzero(np.diff(whole.cells, prepend=-1)), len(whole.cells))
     trials = list(_trials(whole, inputs, y, (starts, swings)))
     size = float(np.linalg.norm([trial.q for trial in trials], axis=1).mean())
-    tolerance = SAMPLING.tolerance * size * float(np.sqrt(len(trials)))
+    tolerance = SAMPLING.tolerance * wanted * size * float(np.sqrt(len(trials)))
     A = np.vstack([trial.rubber for trial in trials])
     total = A.sum(axis=1)
     allowed = tolerance / max(float(np.linalg.norm(total)), 1e-300)
