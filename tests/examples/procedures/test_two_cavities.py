@@ -25,7 +25,7 @@ def test_one_cavity_bends_and_the_other_straightens(capsys):
 
 def test_the_job_of_the_guide_is_read(tmp_path):
     text = (ROOT / "docs" / "howto" / "several-cavities.md").read_text(encoding="utf-8")
-    (job,) = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)
+    job = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)[0]
     (tmp_path / "job.toml").write_text(job, encoding="utf-8")
     one, two = tg.jobs.read_job(tmp_path / "job.toml").loads
     assert one == tg.Pressure("cavity_1", 50 * kPa, history=((0, 0), (0.5, 1), (1, 0)))

@@ -143,7 +143,10 @@ class ScaledNodalForces:
         points, reference = self.setting.points, side_tables(sides.shape[1])
         tangents = np.einsum("qad,fai->fqid", reference.dN, points[sides])
         area = np.linalg.norm(np.cross(tangents[..., 0], tangents[..., 1]), axis=2) * reference.weights
-        local = np.einsum("fq,qa,fqi->fai", area, reference.N, np.broadcast_to(vector, (*area.shape, 3)))
+        if vector.ndim == 1:  # the same at all points: forces as symmetric as the sides, to the last digit
+            local = np.einsum("fq,qa->fa", area, reference.N)[:, :, None] * vector
+        else:
+            local = np.einsum("fq,qa,fqi->fai", area, reference.N, vector)
         return _sum_at_nodes(sides, local, len(points))
 
 

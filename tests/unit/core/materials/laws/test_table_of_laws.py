@@ -18,6 +18,7 @@ PAGE = (ROOT / "docs" / "theory.md").read_text(encoding="utf-8")
 ROWS = re.findall(r"^\| `(\w+)` \| .* \| (.*?) \| (.*?) \| `(.*?\.py)` \|$", PAGE, re.MULTILINE)
 FORMS = {
     "NeoHooke": {"C10": 1e5}, "MooneyRivlin": {"C10": 1e5, "C01": 1e4}, "Yeoh": {"C10": 1e5, "C20": 1e3, "C30": 10.0},
+    "CompressibleNeoHooke": {"mu": 1e5, "nu": 0.3},
     "YeohN": {"coefficients": (1e5, 1e3)}, "GeneralizedRivlin": {"coefficients": ((1, 0, 1e5),)},
     "Ogden": {"mu": (1e5,), "alpha": (2.0,)}, "Gent": {"mu": 1e5, "Jm": 50.0},
     "ArrudaBoyce": {"mu": 1e5, "locking_stretch": 3.0}, "BlatzKo": {"mu": 1e5},
@@ -51,7 +52,8 @@ def _programs(kind) -> str:
         return "none"
     law, known = kind(**FORMS[kind.__name__]), []
     lies = Orientation(along=(1, 0, 0), across=(0, 1, 0)) if hasattr(law, "families") else None
-    bulk = {} if kind.__name__ in ("BlatzKo", "Hyperfoam", "Hooke") else {"bulk_modulus": 2e6}
+    no_bulk = ("BlatzKo", "CompressibleNeoHooke", "Hyperfoam", "Hooke")
+    bulk = {} if kind.__name__ in no_bulk else {"bulk_modulus": 2e6}
     material = tg.Material(name="any", law=law, orientation=lies, **bulk)
     for program in ("Abaqus", "CalculiX"):
         with suppress(TurgorError):
