@@ -100,7 +100,7 @@ class FebMesh:
 
 
 def read_mesh(root: Element) -> tuple[FebMesh, list[Keyword]]:
-    """Read ``<Mesh>``, or ``<Geometry>`` of FEBio 2; return it and rows of what has no form.
+    """Read ``<Mesh>``, or ``<Geometry>`` of FEBio 2; return it, and the elements that cannot be read.
 
     Raises
     ------
