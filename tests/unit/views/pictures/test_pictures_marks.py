@@ -100,6 +100,19 @@ def drawn(support, load, color):
     return np.argwhere(near[: -3 * 50])[:, ::-1], image.shape, [text.get_text() for text in figure.texts]
 
 
+@pytest.mark.parametrize(("free", "places"), [(False, [20]), (True, [-4, 44])])
+def test_a_liquid_has_a_mark_at_its_level(free, places):
+    """At both ends of what stands in a pool, in the middle of what is filled; none at a level far above."""
+    face, up = "outside", (0, 0, 1)
+    water = [tg.loads.HydrostaticPressure(face=face, density=1000, level=h, free_surface=free) for h in ("9 mm", "1 m")]
+    marks = [mark for mark in listed([tg.Fixed("fixed")], water) if mark.kind == "level"]
+    assert np.allclose(sorted(mark.place[0] for mark in marks), np.array(places) * mm, atol=1 * mm)
+    assert all(mark.place[2] == pytest.approx(9 * mm) and np.allclose(mark.direction, up) for mark in marks)
+    colored, _, texts = drawn(tg.Fixed("fixed"), water[0], COLORS["level"])
+    assert "level" in texts
+    assert (len(colored) > 20) is free  # paler inside
+
+
 def test_marks_and_a_legend_are_drawn_in_their_colors():
     places, (height, width, _), texts = drawn(tg.Fixed("fixed"), tg.loads.Force(CORNER, (0, 0, -1)), COLORS["force"])
     assert {"fixed", "force"} <= set(texts)

@@ -1,4 +1,4 @@
-"""Marks in pictures: triangles at supports, zigzags for springs, and arrows for forces, moments and moved places."""
+"""Marks in pictures: triangles at supports, zigzags for springs, arrows for forces, moments and moved places, levels."""
 
 from collections.abc import Iterable, Sequence
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.views.pictures.framing import bands, scale_of
-from turgor.views.pictures.marks.listing import FIXED, FORCE, MOMENT, MOVED, ROLLER, SPRING, Mark
+from turgor.views.pictures.marks.listing import FIXED, FORCE, LEVEL, MOMENT, MOVED, ROLLER, SPRING, Mark
 from turgor.views.pictures.overlays.obstacle_skin import obstacle_skin
 from turgor.views.pictures.raycast import Raster, Scene
 from turgor.views.pictures.rendering import View, frame
@@ -23,9 +23,12 @@ Array = NDArray[np.float64]
 #: A line through points (k, 2), and whether it is closed, and filled.
 Line = tuple[Array, bool, bool]
 
+#: Half a width and a depth of each line of a level, in sizes of a triangle.
+LEVEL_LINES = ((1.5, 0.0), (0.9, 0.35), (0.4, 0.7))
 #: Color of each kind of mark; supports are green, what moves or pulls is warm.
 COLORS = {
     FIXED: "#147a5a", ROLLER: "#147a5a", SPRING: "#147a5a", MOVED: "#7d3cb5", FORCE: "#cc2f2f", MOMENT: "#cc2f2f",
+    LEVEL: "#1f6fb4",
 }  # fmt: skip
 
 
@@ -79,7 +82,9 @@ def _draw_legend(figure: Figure, kinds: Sequence[str], scale: float) -> None:
         left = FRAMING.margin + number * 140 * scale
         stands = kind in (FIXED, ROLLER)  # its tip is above
         begin = np.array([left, level]) + stands * MARKS.size * scale * np.array([1.4, 0.5])
-        direction = np.array([0.0, -1.0]) if stands else np.array([1.0, 0.0])
+        direction = {LEVEL: np.array([0.0, 1.0])}.get(kind, np.array([0.0, -1.0]) if stands else np.array([1.0, 0.0]))
+        if kind == LEVEL:
+            begin = begin + MARKS.size * scale * np.array([1.4, -0.1])
         _draw(figure, kind, glyph(kind, begin, direction, True, scale), scale, 1.0)
         x = (left + (MARKS.arrow + 14) * scale) / width
         figure.text(x, level / height, kind, fontsize=14 * scale, va="center", color=INK)
@@ -115,6 +120,8 @@ def glyph(kind: str, place: Array, direction: Array, outwards: bool, scale: floa
     if kind == FIXED:
         return [(_triangle(place, np.array([0.0, -MARKS.size * scale])), True, True)]
     length = float(np.linalg.norm(direction))
+    if kind == LEVEL:
+        return [] if length < MARKS.head_on else _level(place, direction / length * MARKS.size * scale)
     if length < MARKS.head_on:
         turn = np.linspace(0, 2 * np.pi, 24)[:, None]
         circle = np.concatenate([np.cos(turn), np.sin(turn)], axis=1) * MARKS.size / 2 * scale
@@ -142,6 +149,12 @@ def _roller(apex: Array, height: Array) -> list[Line]:
     """A hollow triangle on a line along which it rolls."""
     ends = apex + 1.35 * height + np.outer([-0.7, 0.7], _across(height))
     return [(_triangle(apex, height), True, False), (ends, False, False)]
+
+
+def _level(place: Array, up: Array) -> list[Line]:
+    """A hollow triangle that stands on the surface of a liquid, and shorter lines below."""
+    lines = [place - drop * up + np.outer([-half, half], _across(up)) for half, drop in LEVEL_LINES]
+    return [(_triangle(place, up), True, False), *((line, False, False) for line in lines)]
 
 
 def _zigzag(begin: Array, reach: Array) -> Array:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.cad.symmetry.whole import Image
 from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.loads.hydrostatic_pressure import HydrostaticPressure
 from turgor.core.model.model import Model
 from turgor.core.model.places import NodesAt
 from turgor.core.model.supports.support import Support
@@ -21,6 +22,8 @@ Row: TypeAlias = tuple[str, Array, Array]
 
 #: Kinds of marks. A roller stands for one direction along which nothing moves.
 FIXED, ROLLER, SPRING, MOVED, FORCE, MOMENT = "fixed", "roller", "spring", "moved", "force", "moment"
+#: Where a liquid has no pressure of its own; its direction is upwards.
+LEVEL = "level"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -30,7 +33,7 @@ class Mark:
     Parameters
     ----------
     kind : str
-        ``"fixed"``, ``"roller"``, ``"spring"``, ``"moved"``, ``"force"`` or ``"moment"``.
+        ``"fixed"``, ``"roller"``, ``"spring"``, ``"moved"``, ``"force"``, ``"moment"`` or ``"level"``.
     place : (3,) array [m]
         Point of the whole actuator at rest.
     direction : (3,) array
@@ -45,7 +48,7 @@ class Mark:
 def marks_of(at: StateFields) -> tuple[Mark, ...]:
     """List the marks of the supports and loads of a state, at rest and on all images of the modeled part.
 
-    Mirror planes, pressures and what acts on whole bodies, such as gravity, have none.
+    Mirror planes, pressures and what acts on whole bodies, such as gravity, have none; of a liquid its level is shown.
 
     Parameters
     ----------
@@ -74,6 +77,25 @@ def _rows(model: Model, images: Sequence[Image]) -> Iterator[Row]:
             place = _points_at(model, load.spot, images)
             moment = load.turning is not None and load.turning.is_moment
             yield MOMENT if moment else FORCE, place, np.tile(np.array(load.arrow, dtype=float), (len(place), 1))
+        if load.liquid is not None:
+            yield from _of_liquid(model.mesh, load.liquid, images)
+
+
+def _of_liquid(mesh: Mesh, liquid: HydrostaticPressure, images: Sequence[Image]) -> Iterator[Row]:
+    """The level of a liquid: in the middle of a cavity, next to the two ends of a body; none far from what it wets."""
+    down = np.array(liquid.direction)
+    up = -down / np.linalg.norm(down)
+    nodes = mesh.points[mesh.face_nodes(liquid.face)]
+    wet = np.concatenate([image.of(nodes) for image in images])
+    heights, extents = wet @ up, np.ptp(wet, axis=0)
+    if not -MARKS.apart <= (liquid.level - heights.min()) / (np.ptp(heights) or 1.0) <= 1 + MARKS.apart:
+        return
+    middle = wet.mean(axis=0)
+    middle += (liquid.level - middle @ up) * up
+    along = np.eye(3)[np.argmax(extents * (1 - up**2))]
+    aside = (0.5 + MARKS.apart) * (along @ extents)
+    places = middle + np.outer([-aside, aside] if liquid.free_surface else [0.0], along)
+    yield LEVEL, places, np.tile(up, (len(places), 1))
 
 
 def _of_support(model: Model, support: Support, images: Sequence[Image]) -> Iterator[Row]:
