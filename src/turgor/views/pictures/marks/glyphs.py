@@ -1,4 +1,4 @@
-"""Marks in pictures: triangles at supports, zigzags for springs, arrows for forces, moments and moved places, levels."""
+"""Marks in pictures: triangles at supports, zigzags for springs, arrows for what pulls or is moved, and levels."""
 
 from collections.abc import Iterable, Sequence
 
