@@ -2,10 +2,11 @@
 
 Problems: (1) one cavity is supplied with a constant pressure p₁, the other one fills through the channel; (2) both are
 closed, one at a pressure, and equalize; (3) the supply goes up and down, with a valve that opens late; (4) the first
-problem with inertia.
+problem with inertia; (5) a pump injects into one cavity evenly.
 Exact, for small pressures with volumes V = V₀ + C p: (1) p₂ = p₁ (1 − exp(−t/(R C₂₂))); (2) the difference decays with
 the rate eᵀ C⁻¹ e/R, e = (1, −1), and no liquid is lost; (3) nothing flows before the valve opens; (4) as (1), when the
-bar is stiff and light. C is that of the same mesh, from two states at given pressures.
+bar is stiff and light; (5) C p' = (Q, 0) + e (p₂ − p₁)/R by a matrix exponential, and no liquid is lost. C is that of
+the same mesh, from two states at given pressures.
 Tolerance: second order in the step, and 2e-3 at 32 steps. What the volumes are not linear in the pressure is 1e-4.
 """
 
@@ -13,6 +14,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 
 import meshes
 import problems
@@ -126,6 +128,24 @@ def test_steps_that_are_long_for_a_channel_are_reported(compliance, constants, s
     if said:
         assert "Steps of 0.125 s" in long[0]
         assert f"= {TIME / constants:.2g}" in long[0]
+
+
+def test_a_pump_fills_both_cavities(compliance, record_verification):
+    e, flow = np.array([1.0, -1.0]), 2 * PRESSURE * compliance[0, 0] / TIME
+    rates = np.linalg.inv(compliance)
+    resistance = TIME / 2 * e @ rates @ e
+    grown = np.block(
+        [[-rates @ np.outer(e, e) / resistance, (rates @ [[flow], [0]])], [np.zeros((1, 3))]]
+    )  # of the pressures and 1
+    exact = (expm(grown * TIME) @ [0, 0, 1])[:2]
+    pump = tg.VolumeControl(
+        volume={"cavity_1": flow * TIME}, duration=TIME, first_step=1 / 16, max_step=1 / 16, tolerance=1e-9
+    )
+    states = problems.solve(bar(channel(resistance)), pump).states
+    got = np.array([states[-1].pressures[name] for name in NAMES]) / exact
+    record_verification("pressures of two cavities into one of which a pump injects", "exact", [1, 1], got, "3e-3")
+    assert got == pytest.approx([1, 1], abs=3e-3)
+    assert (volumes(states[-1]) - volumes(states[0], 0.0)).sum() == pytest.approx(flow * TIME, rel=1e-6)
 
 
 def test_what_moves_nothing_is_refused():

@@ -15,9 +15,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ChannelTarget:
-    """The volume of each closed cavity changes by the inflow q = Σ (p_other − p)/R: backward differences (BDF2).
+    """The volume of each closed cavity changes by the inflow q = Σ (p_other − p)/R and by what a pump injects evenly.
 
-    The method is of second order in the step and damps what the steps do not resolve; the first step is backward Euler.
+    Backward differences (BDF2) are of second order in the step and damp what the steps do not resolve; the first step
+    is backward Euler.
 
     Parameters
     ----------
@@ -27,6 +28,8 @@ class ChannelTarget:
         Time at parameter 1.
     volume : float
         Scaled volume to which errors are relative.
+    injected : (k,) array
+        Scaled volumes that are injected from parameter 0 to 1.
     before : tuple of (float, (k,) array)
         Parameters and scaled volumes of the last one or two states, the last one first.
     """
@@ -34,12 +37,14 @@ class ChannelTarget:
     chambers: Chambers
     duration: float
     volume: float
+    injected: Array
     before: tuple[tuple[float, Array], ...]
 
     def conditions(self, unknowns: Array, parameter: float, scalars: Array) -> Conditions:
         """Errors of the volumes."""
         step, weight, known = self._differences(parameter)
         inflow, conductance = self._flows(parameter, scalars)
+        inflow = inflow + self.injected / self.duration
         errors = (weight * self.chambers.volumes(unknowns) + known - step * inflow) / self.volume
         rows = weight * self.chambers.gradients(unknowns) / self.volume
         return Conditions(errors, rows, step * conductance / self.volume)

@@ -38,9 +38,15 @@ class CavityProcedure(StepOptions):
         return follow_cavities(problem, self)
 
     def requested_of(self, names: Sequence[str]) -> Array:
-        """Return the requested value of each cavity (k,)."""
+        """Return the requested value of each cavity (k,); 0 where there is none."""
         values = self.requested
-        return np.array([values[name] for name in names] if isinstance(values, Mapping) else [values], dtype=np.float64)
+        each = [values.get(name, 0.0) for name in names] if isinstance(values, Mapping) else [values]
+        return np.array(each, dtype=np.float64)
+
+    def closed(self, model: Model) -> tuple[str, ...]:
+        """Name the cavities whose pressure is unknown because channels lead to them."""
+        refuse_channels(model, type(self).__name__)
+        return ()
 
     def filled(self, model: Model) -> tuple[str, ...]:
         """Name the cavities for which it prescribes a value.
@@ -79,7 +85,6 @@ class CavityProcedure(StepOptions):
         from turgor.core.meshing.openings import torn_rims  # few jobs need it
         from turgor.core.meshing.surface import outer_triangles, rim_edges
 
-        refuse_channels(model, type(self).__name__)
         field, names = self.requested_field, self.filled(model)
         for name in names:
             if any(load.face == name for load in model.pressures):
@@ -89,7 +94,7 @@ class CavityProcedure(StepOptions):
             rim = rim_edges(model.mesh.face(name))
             if torn_rims(model.mesh, outer_triangles(model.mesh), rim):
                 raise TurgorError(f"{name} encloses no volume that procedure.{field} could drive; close it (G02).")
-        return names
+        return tuple(dict.fromkeys((*names, *self.closed(model))))
 
 
 def by_cavity(value: float | Mapping[str, float], name: str) -> dict[str, float]:

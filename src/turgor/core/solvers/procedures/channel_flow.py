@@ -24,12 +24,12 @@ def refuse_channels(model: Model, name: str) -> None:
     for load in model.loads:
         if load.channel is not None:
             raise TurgorError(
-                f"the channel between {load.place} needs time, and {name} has none for it; take static with "
-                "procedure.duration, or dynamic."
+                f"the channel between {load.place} needs time, and {name} has none for it; take static or "
+                "volume_control with procedure.duration, or dynamic."
             )
 
 
-def closed_by_channels(model: Model, duration: float | None) -> tuple[str, ...]:
+def closed_by_channels(model: Model, duration: float | None, name: str = "static") -> tuple[str, ...]:
     """Name the cavities whose pressure is unknown, because liquid flows into them through channels.
 
     Parameters
@@ -37,6 +37,8 @@ def closed_by_channels(model: Model, duration: float | None) -> tuple[str, ...]:
     model : Model
     duration : float or None [s]
         That of the procedure.
+    name : str
+        Type of the procedure.
 
     Raises
     ------
@@ -44,7 +46,7 @@ def closed_by_channels(model: Model, duration: float | None) -> tuple[str, ...]:
         If there is no duration, or a channel connects two stated pressures.
     """
     if duration is None:
-        refuse_channels(model, "static without procedure.duration")
+        refuse_channels(model, f"{name} without procedure.duration")
     closed = closed_cavities(model.loads)
     for load in model.loads:
         if load.channel is not None and not set(load.channel.between) & set(closed):
@@ -55,7 +57,7 @@ def closed_by_channels(model: Model, duration: float | None) -> tuple[str, ...]:
     return closed
 
 
-def channel_target(chambers: Any, volumes: Array, duration: float) -> Any:
+def channel_target(chambers: Any, volumes: Array, duration: float, injected: Array | None = None) -> Any:
     """Return the conditions for the pressures of closed cavities from their scaled volumes at the start.
 
     Parameters
@@ -63,9 +65,12 @@ def channel_target(chambers: Any, volumes: Array, duration: float) -> Any:
     chambers : Chambers
     volumes : (k,) array
     duration : float [s]
+    injected : (k,) array, optional
+        Scaled volumes that are injected in this time.
     """
     from turgor.core.solvers.constraints.channels import ChannelTarget  # here: it needs the engine
     from turgor.core.solvers.continuation.scalar_control.settings import CAVITY_CONTROL
 
     least = CAVITY_CONTROL.no_volume * float(np.ptp(chambers.system.points, axis=0).prod())
-    return ChannelTarget(chambers, duration, max(float(volumes.max()), least), ((0.0, volumes),))
+    given = np.zeros_like(volumes) if injected is None else injected
+    return ChannelTarget(chambers, duration, max(float(volumes.max()), least), given, ((0.0, volumes),))

@@ -7,7 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.model.model import Model
 from turgor.core.solvers.procedures.cavity_procedure import CavityProcedure, by_cavity
+from turgor.core.solvers.procedures.channel_flow import channel_target, closed_by_channels
 from turgor.core.solvers.procedures.step_options import check_steps, make_numbers
 from turgor.foundation.errors import TurgorError
 from turgor.units import mL
@@ -19,7 +21,8 @@ Array = NDArray[np.float64]
 class VolumeControl(CavityProcedure):
     """Inject an incompressible fluid into cavities; the pressure is the answer, so it may fall.
 
-    The load factor is the share of the volume that was injected; other loads grow with it.
+    The load factor is the share of the volume that was injected; other loads grow with it. With a duration it is
+    injected evenly in this time, and flows on through channels to other cavities.
 
     Parameters
     ----------
@@ -62,11 +65,20 @@ class VolumeControl(CavityProcedure):
                 raise TurgorError(f"procedure.volume{where} is {volume:g} m³; a volume other than zero is needed.")
         check_steps(self)
 
+    def closed(self, model: Model) -> tuple[str, ...]:
+        """Name the cavities whose pressure is unknown because channels lead to them."""
+        if all(load.channel is None for load in model.loads):
+            return ()
+        return closed_by_channels(model, self.duration, "volume_control")
+
     def target(self, chambers: Any, volumes: Array, pressures: Array) -> Any:
-        """Each cavity has its volume at the start plus a share of the injected one."""
+        """Each cavity has its volume at the start plus a share of the injected one, and what flows in."""
+        injected = self.requested_of(chambers.faces) / chambers.system.length**3
+        if self.duration is not None and self.closed(chambers.system.model):
+            return channel_target(chambers, volumes, self.duration, injected)
         from turgor.core.solvers.constraints.cavities import VolumeTarget  # here: it needs the engine
 
-        return VolumeTarget(chambers, volumes, self.requested_of(chambers.faces) / chambers.system.length**3)
+        return VolumeTarget(chambers, volumes, injected)
 
     def amounts(self, chambers: Any, volumes: Array) -> Callable[[float], Array]:
         """Volumes injected since rest."""
