@@ -26,6 +26,8 @@ class ContactSearchSettings:
         far face of a thin wall would be a neighbor.
     above : float
         Two sides with a common node face each other where each lies above the other by this share of their distance.
+    beside : float
+        Two films face each other at rest where the cosine between their sides is below this, as 72° and more.
     walk : int
         A foot point may cross so many sides between two searches.
     overhang : float
@@ -48,6 +50,7 @@ class ContactSearchSettings:
     near: float = 0.5
     depth: float = 0.25
     above: float = 0.1
+    beside: float = 0.3
     walk: int = 4
     overhang: float = 0.03
     smooth: float = 0.8
