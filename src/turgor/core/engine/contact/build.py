@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.contact.closest import centers_of
 from turgor.core.engine.contact.films import film_exceptions
 from turgor.core.engine.contact.pair_part import PairPart, Partners, Rigid
 from turgor.core.engine.contact.rigid_triangles import refined, six_nodes
@@ -157,7 +158,7 @@ def _with_itself(
     for one in alone:
         if chosen.stiffness is not None:
             one = _stiff(one, chosen.stiffness * stiffness)
-        parts.append(_pairs(mesh, one, points, chosen.friction, like))
+        parts.append(_pairs(model, one, points, like))
         for name in mesh.symmetry_faces:
             parts += _mirror(mesh, name, one, points)
     return parts
@@ -173,28 +174,28 @@ def _films_with_themselves(
         surface = _stiff(surface, chosen.stiffness * stiffness)
     parts: list[PairPart | ShapePart] = []
     if model.contact.for_mesh(mesh) is not None:
-        parts.append(_pairs(mesh, surface, points, chosen.friction, like))
+        parts.append(_pairs(model, surface, points, like))
     for cavity in pressed_together(model) if model.contact.automatic else mesh.cavities:
         inner = surface.chosen(of_face(mesh, surface, cavity) & ~surface.outward)
         parts += [part for name in mesh.symmetry_faces for part in _mirror(mesh, name, inner, points)]
     return parts
 
 
-def _pairs(
-    mesh: Mesh, surface: Surface, points: Array, friction: float, like: Sequence[PairPart | ShapePart]
-) -> PairPart:
+def _pairs(model: Model, surface: Surface, points: Array, like: Sequence[PairPart | ShapePart]) -> PairPart:
     """Contact of a surface with itself; what never touches is that of a part like it."""
+    mesh, films, own = model.mesh, surface.outward is not None, model.contact.self_contact
+    friction = 0.0 if own is None else own.friction
     sides, mirrored = surface.sides, np.zeros(len(points), dtype=bool)
     for name in mesh.cut_faces:
         mirrored[mesh.face_nodes(name)] = True
     alike = (one for one in like if isinstance(one, PairPart) and one.rigid is None)
     known = next((one.partners for one in alike if np.array_equal(one.surface.sides, sides)), None)
     over = np.concatenate([overhangs(points, layer, mirrored) for layer in surface.layers])
-    depth, reach = CONTACT_SEARCH.depth * surface.height, _reach(surface.weights)
+    inside = CONTACT_SEARCH.behind * model.contact.tolerance if films else CONTACT_SEARCH.depth
+    depth, reach = inside * surface.height, _reach(surface.weights)
     if known is not None:
         partners = replace(known, sides=sides, overhang=over, depth=depth, reach=reach)
         return PairPart(SELF, surface, partners, friction, 0.5)
-    films = surface.outward is not None
     partners = Partners(
         sides=sides,
         corners=surface.corners,
@@ -241,6 +242,8 @@ def _mirror(mesh: Mesh, name: str, surface: Surface, points: Array) -> list[Pair
     axis = mesh.normal_axis(name)
     level = float(points[mesh.face_nodes(name)][:, axis].mean())
     side = float(np.sign(points[:, axis].mean() - level))
+    if surface.outward is not None and np.ptp(points[:, axis]) == 0:  # flat films in the plane, which look into it
+        side = -float(np.sign(centers_of(points, surface.sides, surface.corners)[2][:, axis].sum()))
     normal, point = np.zeros(3), np.zeros(3)
     normal[axis], point[axis] = side, level
     plane = Plane(point=(point[0], point[1], point[2]), normal=(normal[0], normal[1], normal[2]))

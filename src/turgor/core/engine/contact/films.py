@@ -171,12 +171,13 @@ def _exceptions(rows: _Rows, count: int) -> Ints:
     """Keys of the pairs of sides that are exceptions, of 2 ``count`` sides."""
     inner, outer = rows.see((1, 1)), rows.see((-1, -1))
     here, there = rows.see((1, -1)), rows.see((-1, 1))
-    never = inner | (rows.joined & ~outer)
+    mixed = (here != there) & ~inner & ~outer  # both: the films continue each other
+    never = inner | ((rows.joined | mixed) & ~outer)
     pairs = (
         (rows.i[inner], rows.j[inner]),
         (rows.i[never] + count, rows.j[never] + count),
-        (rows.i[here & ~there], rows.j[here & ~there] + count),
-        (rows.i[there & ~here] + count, rows.j[there & ~here]),
+        (rows.i[here & mixed], rows.j[here & mixed] + count),
+        (rows.i[there & mixed] + count, rows.j[there & mixed]),
     )
     return np.concatenate([i * 2 * count + j for i, j in pairs])
 

@@ -24,6 +24,9 @@ class ContactSearchSettings:
     depth : float
         A point is taken to lie inside a side no deeper than this share of the cell behind it. Beyond the whole cell the
         far face of a thin wall would be a neighbor.
+    behind : float
+        The same for a film, over the penetration that the tolerance allows: what lies further behind is on its other
+        side. A converged state has no deeper point.
     above : float
         Two sides with a common node face each other where each lies above the other by this share of their distance.
     beside : float
@@ -49,6 +52,7 @@ class ContactSearchSettings:
     reach: float = 4.0
     near: float = 0.5
     depth: float = 0.25
+    behind: float = 2.0
     above: float = 0.1
     beside: float = 0.3
     walk: int = 4
