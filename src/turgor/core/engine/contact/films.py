@@ -32,7 +32,7 @@ _BLOCK = 256
 def film_surface(model: Model, points: Array, stress: float) -> Surface:
     """Collect both sides of films without a solid, those that look into a cavity first.
 
-    Against contact a film is as stiff as in its plane: Young's modulus times thickness over the square of an edge.
+    Against contact a film is half as stiff as in its plane: Young's modulus times thickness over the square of an edge.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def film_surface(model: Model, points: Array, stress: float) -> Surface:
     for name, sheet in model.membranes.items():
         assert isinstance(sheet.material.law, Hooke)
         own = of_face(mesh, out, name)
-        out.spring[own] = PENALTY.stiffness * sheet.material.law.E * sheet.thickness / (stress * unit)
+        out.spring[own] = PENALTY.films * sheet.material.law.E * sheet.thickness / (stress * unit)
     outward = np.arange(len(sides)) >= len(mesh.film_sides)
     return replace(out, spring=out.spring / height**2, outward=outward)
 
@@ -79,8 +79,8 @@ class _Rows:
         Cosine between the normals.
     joined : (k,) bool array
         Whether they share a corner.
-    same : (k,) bool array
-        Whether they belong to one body.
+    same, closed : (k,) bool array
+        Whether they belong to one body, and one of them to the skin of a cavity of it.
     tolerance : float
         Height that is zero.
     """
@@ -93,6 +93,7 @@ class _Rows:
     facing: Array
     joined: Bools
     same: Bools
+    closed: Bools
     tolerance: float
 
     def see(self, turned: tuple[float, float]) -> Bools:
@@ -107,7 +108,7 @@ class _Rows:
     def chosen(self, which: Bools) -> "_Rows":
         """Return some of the pairs."""
         fields = (getattr(self, name)[which] for name in ("i", "j", "distance", "over", "under", "facing"))
-        return _Rows(*fields, self.joined[which], self.same[which], self.tolerance)
+        return _Rows(*fields, self.joined[which], self.same[which], self.closed[which], self.tolerance)
 
 
 def film_exceptions(mesh: Mesh, surface: Surface, points: Array) -> tuple[Ints, Ints]:
@@ -129,14 +130,14 @@ def film_exceptions(mesh: Mesh, surface: Surface, points: Array) -> tuple[Ints, 
     count = len(surface.sides) // 2
     sides, reach = surface.sides[:count], CONTACT_SEARCH.reach * float(surface.height.mean())
     center, _, normal = centers_of(points, sides, surface.corners)
-    label = np.empty(count, dtype=np.int64)
+    label, skin = np.empty(count, dtype=np.int64), of_face(mesh, surface, *mesh.cavities)[:count]
     for number, body in enumerate(find_bodies(mesh)):
         label[body.cells] = number
     a, b = neighbors(sides, surface.corners)
     joined = np.sort(a * count + b)
     rows: list[Ints] = []
     for start in range(0, count, _BLOCK):
-        block = _compared(np.arange(start, min(start + _BLOCK, count)), center, normal, (joined, label), reach)
+        block = _compared(np.arange(start, min(start + _BLOCK, count)), center, normal, (joined, label, skin), reach)
         _check_apart(mesh, block, float(surface.height.min()))
         rows.append(_exceptions(block, count))
     keys = np.unique(np.concatenate(rows))
@@ -145,9 +146,9 @@ def film_exceptions(mesh: Mesh, surface: Surface, points: Array) -> tuple[Ints, 
     return listed(*np.divmod(both, 2 * count), 2 * count)
 
 
-def _compared(block: Ints, center: Array, normal: Array, known: tuple[Ints, Ints], reach: float) -> _Rows:
+def _compared(block: Ints, center: Array, normal: Array, known: tuple[Ints, Ints, Bools], reach: float) -> _Rows:
     """Films of a block against all that are close: within reach, or about as far as what is seen across a cavity."""
-    joined, label = known
+    joined, label, skin = known
     count = len(center)
     i, j = (each.ravel() for each in np.meshgrid(block, np.arange(count), indexing="ij"))
     apart = center[j] - center[i]
@@ -160,6 +161,7 @@ def _compared(block: Ints, center: Array, normal: Array, known: tuple[Ints, Ints
         np.einsum("ki,ki->k", normal[i], normal[j]),
         np.isin(i * count + j, joined),
         label[i] == label[j],
+        (label[i] == label[j]) & (skin[i] | skin[j]),
         ROUND_OFF.mesh_digits * float(np.ptp(center, axis=0).max()),
     )
     across = np.where(every.see((1, 1)) & ~every.joined, every.distance, np.inf).reshape(len(block), count).min(axis=1)
@@ -173,11 +175,12 @@ def _exceptions(rows: _Rows, count: int) -> Ints:
     here, there = rows.see((1, -1)), rows.see((-1, 1))
     mixed = (here != there) & ~inner & ~outer  # both: the films continue each other
     never = inner | ((rows.joined | mixed) & ~outer)
+    here, there = here & mixed & ~rows.closed, there & mixed & ~rows.closed  # within a skin is never outside of it
     pairs = (
         (rows.i[inner], rows.j[inner]),
         (rows.i[never] + count, rows.j[never] + count),
-        (rows.i[here & mixed], rows.j[here & mixed] + count),
-        (rows.i[there & mixed] + count, rows.j[there & mixed]),
+        (rows.i[here], rows.j[here] + count),
+        (rows.i[there] + count, rows.j[there]),
     )
     return np.concatenate([i * 2 * count + j for i, j in pairs])
 

@@ -74,6 +74,9 @@ class PenaltySettings:
     ----------
     stiffness : float
         Contact stiffness times the height of the cell behind, over Young's modulus at rest. All cases change with it.
+    films : float
+        The same of films, over Young's modulus times thickness over the height. Films press with the pressure of air,
+        which is small compared with their stiffness. With 20, a folded beam does not unfold.
     stiffer_at_once, stiffer : float
         The stiffness of a side grows by the first factor at once at most, and by the second altogether. Without the
         first, "plate that drags" takes 158 iterations instead of 213; no case needs the second.
@@ -91,6 +94,7 @@ class PenaltySettings:
     """
 
     stiffness: float = 20.0
+    films: float = 0.5
     stiffer_at_once: float = 4.0
     stiffer: float = 64.0
     deeper: float = 0.04
