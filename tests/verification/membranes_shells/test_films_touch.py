@@ -106,7 +106,7 @@ def _strips(height, cells):
 
 def test_two_tubes_press_on_each_other(record_verification):
     pressure, height = 2 * kPa, 8 * mm
-    mesh = _strips(height, 10)
+    mesh = _strips(height, 12)
     supports = [tg.Fixed("side", "y"), tg.Fixed("left", "xz"), tg.Fixed("right", "z")]
     model = tg.Model(mesh, {"cavity": FILM}, supports, [tg.Pressure("cavity", pressure)])
     state = problems.solve(model).states[-1]

@@ -17,14 +17,15 @@ def _film(name, z, below=True, edge="", shift=0.0):
     return tg.bodies.Patch(corners=corners, faces=(name,), edges=(edge,) * 4)
 
 
-def _may_touch(*patches):
+def _may_touch(*patches, size=10 * mm):
     """Allowed contacts between films of names, with the sides that look into (i) and out of (o) their cavities."""
-    mesh = tg.mesh(tg.bodies.Film(patches=patches), size=10 * mm)
+    mesh = tg.mesh(tg.bodies.Film(patches=patches), size=size)
     model = tg.Model(mesh, {patch.name: FILM for patch in patches}, [], [])
     surface = film_surface(model, mesh.points, 1 * MPa)
     start, listed = film_exceptions(mesh, surface, mesh.points)
     count = len(mesh.film_sides)
-    names = [next(n for n in mesh.faces if set(side[:4]) <= set(mesh.face_nodes(n))) for side in mesh.film_sides]
+    films = [patch.name for patch in patches]
+    names = [next(n for n in films if set(side[:4]) <= set(mesh.face_nodes(n))) for side in mesh.film_sides]
     sides = [(name, out) for out in "io" for name in names]
     allowed = np.zeros((2 * count, 2 * count), dtype=bool)
     allowed[count:, count:] = True
@@ -59,3 +60,17 @@ def test_films_beside_each_other_touch_with_the_sides_that_look_out():
 def test_films_on_each_other_without_a_cavity_between_them_are_refused():
     with refused("films", "(5, 5, 0) mm", "thickness", "self-contact"):
         _may_touch(_film("a", 0, edge="symmetry_z"), _film("b", 0, edge="symmetry_z"))
+
+
+@pytest.mark.parametrize(("closed", "expected"), [(False, {("ai", "co")}), (True, set())])
+def test_only_an_open_film_touches_itself_with_both_sides(closed, expected):
+    """A film that rises like the letter S: its lowest part sees the other side of the highest, unless it is a pouch."""
+    path = ((0, 0), (20, 0), (20, 8), (0, 8), (0, 16), (20, 16))
+    patches = []
+    for name, (x, z), (x2, z2) in zip("abdec", path[:-1], path[1:], strict=True):
+        corners = tuple((a * mm, b * mm, c * mm) for a, b, c in ((x, 0, z), (x2, 0, z2), (x2, 20, z2), (x, 20, z)))
+        patches.append(tg.bodies.Patch(corners=corners, faces=(name, "cavity")))
+        if closed:
+            patches.append(tg.bodies.Patch(corners=corners[::-1], faces=(name.upper(), "cavity")))
+    pairs = _may_touch(*patches, size=4 * mm)
+    assert {(m, n) for m, n in pairs if m[0] + n[0] == "ac" and m[1] != n[1]} == expected
