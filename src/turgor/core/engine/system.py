@@ -20,6 +20,7 @@ from turgor.core.engine.cells.internal_variables import History, Memory, bonds_o
 from turgor.core.engine.cells.states.body_states import has_states
 from turgor.core.engine.compiled import later
 from turgor.core.engine.contact.couplings import Layout
+from turgor.core.engine.contact.films import film_surface
 from turgor.core.engine.contact.part import SearchMode
 from turgor.core.engine.contact.surface import whole_surface
 from turgor.core.engine.contact.terms import ContactMemory, Contacts, ContactTerms
@@ -121,7 +122,10 @@ class System:
     def _contact_terms(self, like: ContactTerms | None) -> ContactTerms:
         scales = (self.length, self.stress_scale)
         first = 3 * self.node_count + self.element.mean_count
-        surface = whole_surface(self.model, self.points, self.dV.sum(axis=1), self.stress_scale)
+        if len(self.model.mesh.cells):
+            surface = whole_surface(self.model, self.points, self.dV.sum(axis=1), self.stress_scale)
+        else:
+            surface = film_surface(self.model, self.points, self.stress_scale)
         return ContactTerms(self.model, surface, self.points, scales, first, like)
 
     def _applied(self, load_factor: float) -> float:

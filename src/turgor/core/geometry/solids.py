@@ -230,6 +230,9 @@ def _built(title: str, section: Outline, length: float, mirrors: str, smallest: 
 class Film:
     """A film without a solid, of patches that share edges: an airbag, a balloon, the skin of a beam.
 
+    Patches are joined where their edges coincide, also where one lies on the other, as the two films of a flat pouch
+    do. Edges in a mirror plane are not joined.
+
     Parameters
     ----------
     patches : tuple of Patch

@@ -23,7 +23,7 @@ class Contact:
     self_contact : SelfContact or bool, optional
         Whether walls of the actuator have contact with each other. By default they do if outer walls, or a wall and its
         image in a mirror plane, face each other across a gap at rest, as chambers and folds do; if the mesh has several
-        bodies; and in cavities that are pressed together.
+        bodies or consists of films; and in cavities that are pressed together.
     obstacles : sequence of Obstacle
         Rigid bodies around.
     tolerance : float [-]

@@ -34,7 +34,7 @@ class ContactTable(Table):
     ----
     self_contact : bool
         Whether walls of the actuator have contact with each other; ``"automatic"``: where walls face each other
-        across a gap, between bodies, and in cavities that are pressed together.
+        across a gap, between bodies and films, and in cavities that are pressed together.
     friction : float [-]
         Coulomb's coefficient of self-contact; 0 by default.
     stiffness : float [Pa/m]

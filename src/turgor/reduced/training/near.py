@@ -180,7 +180,9 @@ def _with_neighbors(pairs: Ints, side: Ints, partners: Partners) -> Ints:
     first, never = partners.strangers
     sides = len(partners.sides)
     strange = np.repeat(np.arange(len(first) - 1), np.diff(first)) * sides + never
-    more = more[~np.isin(side[more[:, 0]] * sides + more[:, 1], strange)]
+    exception = np.isin(side[more[:, 0]] * sides + more[:, 1], strange)
+    opened = np.ones(sides, dtype=bool) if partners.open is None else partners.open
+    more = more[exception != (opened[side[more[:, 0]]] & opened[more[:, 1]])]
     both = np.concatenate([pairs, more])
     _, place = np.unique(both, axis=0, return_index=True)
     first = both[np.sort(place)]

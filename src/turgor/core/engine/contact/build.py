@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.contact.closest import centers_of
+from turgor.core.engine.contact.films import film_exceptions
 from turgor.core.engine.contact.pair_part import PairPart, Partners, Rigid
 from turgor.core.engine.contact.rigid_triangles import refined, six_nodes
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
@@ -148,94 +150,91 @@ def _with_itself(
     if chosen is None:
         return []
     if surface.outward is not None:
-        return _films_with_themselves(model, surface, points)
+        return _films_with_themselves(model, surface, sizes, like)
     alone = [surface.chosen(of_face(mesh, surface, cavity)) for cavity in pressed_together(model)]
     if model.contact.for_mesh(mesh) is not None:
         alone.insert(0, outside)
-    mirrored = np.zeros(len(points), dtype=bool)
-    for name in mesh.cut_faces:
-        mirrored[mesh.face_nodes(name)] = True
     parts: list[PairPart | ShapePart] = []
     for one in alone:
         if chosen.stiffness is not None:
             one = _stiff(one, chosen.stiffness * stiffness)
-        parts.append(_pairs(one, points, mirrored, chosen.friction, like))
+        parts.append(_pairs(model, one, points, like))
         for name in mesh.symmetry_faces:
             parts += _mirror(mesh, name, one, points)
     return parts
 
 
-def _films_with_themselves(model: Model, surface: Surface, points: Array) -> list[PairPart | ShapePart]:
-    """Films around a cavity that is pressed together, or all where it is requested, meet their images in mirror planes.
-
-    One film does not meet another one: both sides of a film may be met, and what is near a film may be on either.
-    """
-    mesh = model.mesh
+def _films_with_themselves(
+    model: Model, surface: Surface, sizes: tuple[Array, float], like: Sequence[PairPart | ShapePart]
+) -> list[PairPart | ShapePart]:
+    """Films meet each other; those around a cavity that is pressed together, their images in mirror planes."""
+    mesh, chosen, (points, stiffness) = model.mesh, model.contact.self_contact, sizes
+    assert surface.outward is not None and chosen is not None
+    if chosen.stiffness is not None:
+        surface = _stiff(surface, chosen.stiffness * stiffness)
     parts: list[PairPart | ShapePart] = []
-    assert surface.outward is not None
+    if model.contact.for_mesh(mesh) is not None:
+        parts.append(_pairs(model, surface, points, like))
     for cavity in pressed_together(model) if model.contact.automatic else mesh.cavities:
         inner = surface.chosen(of_face(mesh, surface, cavity) & ~surface.outward)
         parts += [part for name in mesh.symmetry_faces for part in _mirror(mesh, name, inner, points)]
     return parts
 
 
-def _pairs(
-    surface: Surface,
-    points: Array,
-    mirrored: NDArray[np.bool_],
-    friction: float,
-    like: Sequence[PairPart | ShapePart],
-) -> PairPart:
-    sides, weights, height = surface.sides, surface.weights, surface.height
+def _pairs(model: Model, surface: Surface, points: Array, like: Sequence[PairPart | ShapePart]) -> PairPart:
+    """Contact of a surface with itself; what never touches is that of a part like it."""
+    mesh, films, own = model.mesh, surface.outward is not None, model.contact.self_contact
+    friction = 0.0 if own is None else own.friction
+    sides, mirrored = surface.sides, np.zeros(len(points), dtype=bool)
+    for name in mesh.cut_faces:
+        mirrored[mesh.face_nodes(name)] = True
     alike = (one for one in like if isinstance(one, PairPart) and one.rigid is None)
     known = next((one.partners for one in alike if np.array_equal(one.surface.sides, sides)), None)
-    if known is None:
-        partners = replace(_partners(sides, (surface.N, surface.dN, weights, height), points, mirrored), sides=sides)
-    else:  # what never touches is the same
-        over = overhangs(points, sides, mirrored)
-        partners = replace(
-            known, sides=sides, overhang=over, depth=CONTACT_SEARCH.depth * height, reach=_reach(weights)
-        )
-    return PairPart(SELF, surface, partners, friction, 0.5)
+    over = np.concatenate([overhangs(points, layer, mirrored) for layer in surface.layers])
+    inside = CONTACT_SEARCH.behind * model.contact.tolerance if films else CONTACT_SEARCH.depth
+    depth, reach = inside * surface.height, _reach(surface.weights)
+    if known is not None:
+        partners = replace(known, sides=sides, overhang=over, depth=depth, reach=reach)
+        return PairPart(SELF, surface, partners, friction, 0.5)
+    partners = Partners(
+        sides=sides,
+        corners=surface.corners,
+        overhang=over,
+        depth=depth,
+        strangers=film_exceptions(mesh, surface, points) if films else strangers(points, sides),
+        around=_around(surface.layers, surface.corners),
+        reach=reach,
+        open=surface.outward,
+    )
+    return PairPart(SELF, surface, _settled(surface, partners, points), friction, 0.5)
 
 
 def _reach(weights: Array) -> float:
     return CONTACT_SEARCH.reach * float(np.sqrt(weights.sum(axis=1)).mean())
 
 
-def _partners(
-    sides: Ints, tables: tuple[Array, Array, Array, Array], points: Array, mirrored: NDArray[np.bool_]
-) -> Partners:
-    """Sides of a surface that its own points may touch; ``tables`` are N, dN, weights and heights of the surface."""
-    N, dN, weights, height = tables
-    surface = Surface(sides, N, dN, weights, np.ones(len(sides)), height)  # stiffness does not matter to a search
-    partners = Partners(
-        sides=sides,
-        corners=surface.corners,
-        overhang=overhangs(points, sides, mirrored),
-        depth=CONTACT_SEARCH.depth * height,
-        strangers=strangers(points, sides),
-        around=_around(sides, surface.corners),
-        reach=_reach(weights),
-    )
+def _settled(surface: Surface, partners: Partners, points: Array) -> Partners:
+    """Sides that lie in each other at rest, at an acute edge or a flaw of the mesh, never touch."""
     while True:
         contact = PairPart(SELF, surface, partners, 0.0, 0.5).look(points, Pose(np.zeros(3)))
-        inside = np.argwhere(contact.gap < -ROUND_OFF.mesh_digits * height[:, None])
+        inside = np.argwhere(contact.gap < -ROUND_OFF.mesh_digits * surface.height[:, None])
         if not len(inside):
             return partners
-        partners = _apart(partners, inside[:, 0], contact.partner[inside[:, 0], inside[:, 1]])
+        side, partner = inside[:, 0], contact.partner[inside[:, 0], inside[:, 1]]
+        start, listed_now = partners.strangers
+        count = len(start) - 1
+        keys = np.repeat(np.arange(count), np.diff(start)) * count + listed_now
+        changed = np.setxor1d(keys, np.unique(side * count + partner))
+        partners = replace(partners, strangers=listed(*np.divmod(changed, count), count))
 
 
-def _apart(partners: Partners, side: Ints, partner: Ints) -> Partners:
-    """Sides that lie in each other at rest, at an acute edge or a flaw of the mesh, never touch."""
-    start, never = partners.strangers
-    rows = np.concatenate([np.repeat(np.arange(len(start) - 1), np.diff(start)), side])
-    return replace(partners, strangers=listed(rows, np.concatenate([never, partner]), len(start) - 1))
-
-
-def _around(sides: Ints, corners: int) -> tuple[Ints, Ints]:
-    """Sides that share a corner with each side, itself included."""
-    return listed(*neighbors(sides, corners), len(sides))
+def _around(layers: Sequence[Ints], corners: int) -> tuple[Ints, Ints]:
+    """Sides that share a corner with each side of their layer, itself included."""
+    pairs, start = [], 0
+    for layer in layers:
+        pairs.append(start + np.array(neighbors(layer, corners)))
+        start += len(layer)
+    return listed(*np.concatenate(pairs, axis=1), start)
 
 
 def _mirror(mesh: Mesh, name: str, surface: Surface, points: Array) -> list[PairPart | ShapePart]:
@@ -243,6 +242,8 @@ def _mirror(mesh: Mesh, name: str, surface: Surface, points: Array) -> list[Pair
     axis = mesh.normal_axis(name)
     level = float(points[mesh.face_nodes(name)][:, axis].mean())
     side = float(np.sign(points[:, axis].mean() - level))
+    if surface.outward is not None and np.ptp(points[:, axis]) == 0:  # flat films in the plane, which look into it
+        side = -float(np.sign(centers_of(points, surface.sides, surface.corners)[2][:, axis].sum()))
     normal, point = np.zeros(3), np.zeros(3)
     normal[axis], point[axis] = side, level
     plane = Plane(point=(point[0], point[1], point[2]), normal=(normal[0], normal[1], normal[2]))
@@ -270,7 +271,7 @@ def _triangles(
         overhang=overhangs(nodes, sides, np.zeros(len(nodes), dtype=bool)),
         depth=np.full(len(sides), CONTACT_SEARCH.near * size),
         strangers=nothing,
-        around=_around(sides, 3),
+        around=_around((sides,), 3),
         reach=CONTACT_SEARCH.reach * size,
         rigid=Rigid(obstacle, nodes, unknown),
     )

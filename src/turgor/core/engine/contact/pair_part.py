@@ -51,12 +51,15 @@ class Partners:
     depth : (t,) array
         Depth to which a point counts as inside.
     strangers : (start, list)
-        For each side of the surface the partner sides that it never touches.
+        For each side of the surface the partner sides that it never touches; for one of two sides that are not open,
+        those that it may touch.
     around : (start, list)
         For each partner side those that share a node with it.
     reach : float
         How far apart two sides still see each other.
     rigid : Rigid or None
+    open : (t,) bool array, optional
+        Sides that touch all other open ones but strangers: all of solids, those of films that look out of a cavity.
     """
 
     sides: Ints
@@ -67,6 +70,7 @@ class Partners:
     around: tuple[Ints, Ints]
     reach: float
     rigid: Rigid | None = None
+    open: NDArray[np.bool_] | None = None
 
 
 class PairPart(PointsPart):
@@ -138,7 +142,9 @@ class PairPart(PointsPart):
         grid = Grid.of(others[0], p.reach + float(own[1].max() + others[1].max()))
         cubes = (grid.low, grid.edge, grid.counts, grid.start, grid.order)
         allowed = (p.overhang, p.depth)
-        return find_partners((x, normal), every, p.sides, (own, others), cubes, allowed, p.reach, p.strangers)
+        opened = [np.ones(len(sides), dtype=bool) if p.open is None else p.open for sides in (s.sides, p.sides)]
+        apart = (*opened, *p.strangers)
+        return find_partners((x, normal), every, p.sides, (own, others), cubes, allowed, p.reach, apart)
 
     def _springs(self, points: Ints, partner: Ints) -> Array:
         """Pressure per depth (k,) at points: that of the softer side, times the penalty scale of the point's own."""

@@ -97,14 +97,15 @@ def find_partners(
     grid: tuple[Any, ...],
     allowed: tuple[Array, Array],
     reach: float,
-    apart: tuple[Ints, Ints],
+    apart: tuple[Array, Array, Ints, Ints],
 ) -> tuple[Ints, Array, Array]:
     """Nearest partner of every point: side (s, q), −1 for none; its place (s, q, 2); signed gap (s, q), inf for none.
 
     ``looking`` holds positions and normals of the points; ``about`` holds centers, radii and normals of their sides,
     then of the partner sides; ``grid`` low, edge, counts, start, order; ``allowed`` the overhang allowed over each edge
-    of a side and the depth allowed behind it; ``apart`` lists for each side of the points, in rows, the sides that it
-    never touches (start, list).
+    of a side and the depth allowed behind it; ``apart`` says which sides of the points and of the partners are open,
+    and lists for each side of the points, in rows, sorted, the exceptions (start, list): two open sides may touch, two
+    others may not.
     """
     points = looking[0].shape[:2]
     out = np.full(points, -1, dtype=np.int64), np.zeros((*points, 2)), np.full(points, np.inf)
@@ -117,7 +118,7 @@ def _near_sides(k, own, other, grid, depth, reach, apart, near):
     """Fill the sides that points of side k may touch, and return how many."""
     (center, radius, normal), (others, radii, normals) = own, other
     low, edge, counts, start, order = grid
-    first, never = apart
+    open_own, open_other, first, exceptions = apart
     p, u, count = center[k], normal[k], 0
     c0 = int(np.floor((p[0] - low[0]) / edge))
     c1 = int(np.floor((p[1] - low[1]) / edge))
@@ -132,7 +133,7 @@ def _near_sides(k, own, other, grid, depth, reach, apart, near):
                     limit = reach + radii[j] + radius[k]
                     if facing > 0.3 or square > limit * limit or ahead < -depth[j] - radii[j] - radius[k]:
                         continue
-                    if _listed(j, first[k], first[k + 1], never):
+                    if (open_own[k] and open_other[j]) == _listed(j, first[k], first[k + 1], exceptions):
                         continue
                     near[count] = j
                     count += 1
@@ -207,10 +208,14 @@ def _nearest(point, position, sides, radii, allowed, reach):
 
 @njit(**INNER)
 def _listed(value, low, high, rows):
-    i = low
-    while i < high and rows[i] != value:
-        i += 1
-    return i < high
+    end = high
+    while low < high:
+        middle = (low + high) // 2
+        if rows[middle] < value:
+            low = middle + 1
+        else:
+            high = middle
+    return low < end and rows[low] == value
 
 
 @njit(**LOOP)

@@ -24,8 +24,13 @@ class ContactSearchSettings:
     depth : float
         A point is taken to lie inside a side no deeper than this share of the cell behind it. Beyond the whole cell the
         far face of a thin wall would be a neighbor.
+    behind : float
+        The same for a film, over the penetration that the tolerance allows: what lies further behind is on its other
+        side. A converged state has no deeper point.
     above : float
         Two sides with a common node face each other where each lies above the other by this share of their distance.
+    beside : float
+        Two films face each other at rest where the cosine between their sides is below this, as 72° and more.
     walk : int
         A foot point may cross so many sides between two searches.
     overhang : float
@@ -47,7 +52,9 @@ class ContactSearchSettings:
     reach: float = 4.0
     near: float = 0.5
     depth: float = 0.25
+    behind: float = 2.0
     above: float = 0.1
+    beside: float = 0.3
     walk: int = 4
     overhang: float = 0.03
     smooth: float = 0.8
@@ -67,6 +74,9 @@ class PenaltySettings:
     ----------
     stiffness : float
         Contact stiffness times the height of the cell behind, over Young's modulus at rest. All cases change with it.
+    films : float
+        The same of films, over Young's modulus times thickness over the height. Films press with the pressure of air,
+        which is small compared with their stiffness. With 20, a folded beam does not unfold.
     stiffer_at_once, stiffer : float
         The stiffness of a side grows by the first factor at once at most, and by the second altogether. Without the
         first, "plate that drags" takes 158 iterations instead of 213; no case needs the second.
@@ -84,6 +94,7 @@ class PenaltySettings:
     """
 
     stiffness: float = 20.0
+    films: float = 0.5
     stiffer_at_once: float = 4.0
     stiffer: float = 64.0
     deeper: float = 0.04

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 from turgor.core.engine.cells.reference import side_tables
 from turgor.core.engine.contact.closest import centers_of, points_of
 from turgor.core.engine.contact.settings import CONTACT_SEARCH, PENALTY
-from turgor.core.materials.laws.laws import Hooke
 from turgor.core.meshing.cells import side_type
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import cell_sides, corner_keys
@@ -67,9 +66,16 @@ class Surface:
         """Corners of each side."""
         return side_type(self.sides.shape[1]).corners
 
+    @property
+    def layers(self) -> tuple[Ints, ...]:
+        """Sides that look one way: all of a solid; of films first those that look inwards, then the others."""
+        if self.outward is None:
+            return (self.sides,)
+        return self.sides[~self.outward], self.sides[self.outward]
+
 
 def whole_surface(model: Model, points: Array, volumes: Array, stress: float) -> Surface:
-    """Collect every side that belongs to one cell only.
+    """Collect every side of a solid that belongs to one cell only.
 
     Parameters
     ----------
@@ -82,8 +88,6 @@ def whole_surface(model: Model, points: Array, volumes: Array, stress: float) ->
         Scale of stresses.
     """
     mesh = model.mesh
-    if not len(mesh.cells):
-        return _films(model, points, stress)
     every = cell_sides(mesh.cells)
     _, index, count = np.unique(corner_keys(every, len(points)), return_index=True, return_counts=True)
     outer = np.sort(index[count == 1])
@@ -99,33 +103,6 @@ def whole_surface(model: Model, points: Array, volumes: Array, stress: float) ->
         modulus[mesh.regions[name]] = 3 * material.law.shear_modulus / stress
     spring = PENALTY.stiffness * modulus[owner] / height
     return Surface(sides, r.N, r.dN, weights, spring, height, coupled=not mesh.serendipity)
-
-
-def _films(model: Model, points: Array, stress: float) -> Surface:
-    """Both sides of films without a solid, those that look into a cavity first.
-
-    Against contact a film is as stiff as in its plane: Young's modulus times thickness over the square of an edge.
-    """
-    mesh = model.mesh
-    sides = np.concatenate([mesh.film_sides, mesh.film_sides[:, turned_over(mesh.film_sides.shape[1])]])
-    r = side_tables(sides.shape[1])
-    _, _, growth = points_of(points, sides, r.N, r.dN)
-    weights = growth * r.weights
-    height = np.sqrt(weights.sum(axis=1))
-    out = Surface(sides, r.N, r.dN, weights, np.zeros(len(sides)), height)
-    unit = float(np.linalg.norm(np.ptp(mesh.points, axis=0)) / np.linalg.norm(np.ptp(points, axis=0)))
-    for name, sheet in model.membranes.items():
-        assert isinstance(sheet.material.law, Hooke)
-        own = of_face(mesh, out, name)
-        out.spring[own] = PENALTY.stiffness * sheet.material.law.E * sheet.thickness / (stress * unit)
-    outward = np.arange(len(sides)) >= len(mesh.film_sides)
-    return replace(out, spring=out.spring / height**2, outward=outward)
-
-
-def turned_over(nodes: int) -> Ints:
-    """Order of the nodes of a side as seen from behind."""
-    orders = {6: (0, 2, 1, 5, 4, 3), 9: (0, 3, 2, 1, 7, 6, 5, 4, 8)}
-    return np.array(orders[nodes])
 
 
 def of_face(mesh: Mesh, surface: Surface, *names: str) -> NDArray[np.bool_]:

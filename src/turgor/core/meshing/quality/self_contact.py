@@ -9,7 +9,7 @@ from turgor.core.meshing.quality.quality_cache import once_per_mesh
 
 @once_per_mesh  # by every check, and by the engine
 def may_meet(mesh: Mesh) -> bool:
-    """Whether a mesh has several bodies, or walls that face each other or their image.
+    """Whether a mesh consists of films or several bodies, or has walls that face each other or their image.
 
     Parameters
     ----------
@@ -18,10 +18,10 @@ def may_meet(mesh: Mesh) -> bool:
     Returns
     -------
     bool
-        False for 20-node hexahedra, which have no contact, and for films without a solid, which do not see each other.
+        False for 20-node hexahedra, which have no contact.
     """
-    if not len(mesh.cells):
-        return False
     if not mesh.cell_type.side.triangles:
         return False
+    if not len(mesh.cells):
+        return True
     return len(find_bodies(mesh)) > 1 or len(find_facing_walls(mesh).pairs) > 0 or faces_its_image(mesh)

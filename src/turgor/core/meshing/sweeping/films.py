@@ -41,6 +41,15 @@ class _Grid:
         starts = [(i, k) for i in range(0, rows - 1, 2) for k in range(0, columns - 1, 2)]
         return np.array([numbers[i : i + 3, k : k + 3].ravel()[list(_NINE)] for i, k in starts])
 
+    @property
+    def joins(self) -> NDArray[np.bool_]:
+        """Whether each node joins those of other patches at the same place: on edges, if not in a mirror plane."""
+        out = np.zeros(self.points.shape[:2], dtype=bool)
+        lines = (out[0], out[:, -1], out[-1], out[:, 0])
+        for name, line in zip(self.patch.edges, lines, strict=True):
+            line[:] |= not name.startswith("symmetry_")
+        return out
+
     def edges(self, numbers: Ints) -> Iterator[tuple[str, Ints]]:
         """Sides without an area (f, 9) of each edge that has a name."""
         around = (numbers[0], numbers[:, -1], numbers[-1, ::-1], numbers[::-1, 0])
@@ -79,7 +88,9 @@ def film_mesh(geometry: Geometry, size: float) -> Mesh:
     ]
     points = np.concatenate([grid.points.reshape(-1, 3) for grid in grids])
     tolerance = ROUND_OFF.mesh_digits * geometry.extent
-    _, first, joined = np.unique((points / tolerance).round(), axis=0, return_index=True, return_inverse=True)
+    owner = np.concatenate([np.where(grid.joins, 0, k + 1).ravel() for k, grid in enumerate(grids)])
+    places = np.column_stack([(points / tolerance).round(), owner])
+    _, first, joined = np.unique(places, axis=0, return_index=True, return_inverse=True)
     starts = np.cumsum([0, *(grid.numbers.size for grid in grids)])
     named: dict[str, list[Ints]] = {}
     for grid, start in zip(grids, starts, strict=False):
@@ -89,7 +100,8 @@ def film_mesh(geometry: Geometry, size: float) -> Mesh:
         for name, sides in grid.edges(numbers):
             named.setdefault(name, []).append(sides)
     faces = {name: np.concatenate(named[name]) for name in geometry.faces}
-    _check_apart(shape, [joined.ravel()[start + grid.numbers] for grid, start in zip(grids, starts, strict=False)])
+    numbered = [joined.ravel()[start + grid.numbers] for grid, start in zip(grids, starts, strict=False)]
+    _check_apart(shape, [grid.sides(numbers) for grid, numbers in zip(grids, numbered, strict=True)])
     corners = np.unique(np.concatenate([sides[:, :4] for sides in faces.values()]))
     order = np.concatenate([corners, np.setdiff1d(np.arange(len(first)), corners)])
     number = np.empty(len(order), dtype=np.int64)
@@ -103,16 +115,17 @@ def film_mesh(geometry: Geometry, size: float) -> Mesh:
     )
 
 
-def _check_apart(shape: FilmShape, numbers: Sequence[Ints]) -> None:
-    """Refuse patches that lie on each other: their nodes would be one."""
+def _check_apart(shape: FilmShape, sides: Sequence[Ints]) -> None:
+    """Refuse two patches of one side each with the same corners: they would be one film."""
     known: dict[frozenset[int], int] = {}
-    for place, each in enumerate(numbers):
-        other = known.setdefault(frozenset(each.ravel().tolist()), place)
-        if other != place:
-            raise TurgorError(
-                f"patches {other + 1} and {place + 1} ('{shape.patches[place].name}') of the film lie on each other, "
-                "and would be one film; give one of them edges with arcs, or model one film above a mirror plane."
-            )
+    for place, each in enumerate(sides):
+        for side in each:
+            other = known.setdefault(frozenset(side[:4].tolist()), place)
+            if other != place:
+                raise TurgorError(
+                    f"patches {other + 1} and {place + 1} ('{shape.patches[place].name}') of the film lie on each "
+                    "other with sides between the same four corners, and would be one film; make size smaller."
+                )
 
 
 def _counts(patches: Sequence[Patch], size: float) -> list[tuple[int, int]]:

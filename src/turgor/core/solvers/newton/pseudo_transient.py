@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.additions import Linear
 from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.contact.part import SearchMode
 from turgor.core.engine.damping import gradient_stiffness
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.constraint import Constraint
@@ -76,7 +77,7 @@ def pseudo_transient(
         if not result.converged or result.evaluation is None:
             motion.viscosity *= rise
             continue
-        motion.at = result.evaluation
+        motion.at = _searched_again(constraint, result.evaluation)
         motion.viscosity *= fall
         if motion.viscosity > smallest:
             continue
@@ -96,6 +97,14 @@ def _without(
     result = newton_with_contact(constraint, tangent, start, motion.at.load_factor, settings, report)
     motion.iterations += result.iterations
     return result
+
+
+def _searched_again(constraint: Constraint, at: Evaluation) -> Evaluation:
+    """The same place with a new global search for contact: a body may move past many sides in a few viscous steps."""
+    again = None
+    if constraint.scalar_unknowns.system.contact.parts:
+        again = constraint.evaluate(at.unknowns, at.load_factor, np.empty(0), at.contacts, SearchMode.GLOBAL)
+    return at if again is None else again
 
 
 def _restless(iterations: int) -> NewtonResult:
