@@ -1,6 +1,7 @@
 """A job whose part a script draws: dimensions are numbers of the job, for lock files, studies and gradients."""
 
 import tomllib
+from types import SimpleNamespace
 
 import pytest
 
@@ -11,6 +12,7 @@ from turgor.job.output.lock import lock_text
 from turgor.job.text.problems import JobError
 from turgor.studies.runs.jobs.job_gradients import gradient_of_job
 from turgor.studies.runs.jobs.job_numbers import numbers_of
+from turgor.studies.study_file.job_sweep import _copy_files
 from turgor.units import mm
 
 SCRIPT = """
@@ -99,11 +101,7 @@ def test_a_dimension_is_refused_at_its_key(job_file):
 def test_a_sweep_copies_scripts_with_their_modules(job_file, tmp_path):
     (tmp_path / "sizes.py").write_text("WALL = 1\n")
     (tmp_path / "other.py").write_text("import sizes\n" + SCRIPT)
-    study = tmp_path / "study.toml"
-    study.write_text('job = "job.toml"\n[factors]\nactuator.file = ["tube.py", "other.py"]\n[sweep]\n')
-    from turgor.studies.study_file.job_sweep import _copy_files
-    from turgor.studies.study_file.study_file import read_study_file
-
-    read = read_study_file(study)
-    _copy_files(read, read.sweep.designs, tmp_path / "results")
+    study = SimpleNamespace(folder=tmp_path)
+    designs = SimpleNamespace(values=[{"actuator.file": "tube.py"}, {"actuator.file": "other.py"}])
+    _copy_files(study, designs, tmp_path / "results")
     assert sorted(each.name for each in (tmp_path / "results").iterdir()) == ["other.py", "sizes.py", "tube.py"]
