@@ -10,8 +10,6 @@ import pytest
 
 import turgor as tg
 from refused import refused
-from turgor.core.geometry import occ
-from turgor.core.geometry.molds.mold import mold_part
 from turgor.core.meshing.bodies.half import half_of
 from turgor.core.meshing.bodies.placing import placed
 from turgor.core.meshing.exchange.read import read_mesh
@@ -26,14 +24,21 @@ RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.05e6))
 SIX = [np.cumsum([[0, 0, 0], *np.eye(3, dtype=int)[list(order)]], axis=0) for order in permutations(range(3))]
 
 
-def bar_file(folder: Path, shift: float = 0.0) -> Path:
-    """A bar of 4 x 3 x 2 cubes of 5 mm, the middle ones across y = 0; its middle nodes may be shifted along y [mm]."""
+def bar_file(folder: Path, shift: float = 0.0, slit: float = 0.0) -> Path:
+    """A bar of 4 x 3 x 2 cubes of 5 mm, the middle ones across y = 0.
+
+    Its middle nodes may be shifted along y [mm], and half of its middle cubes may be a slit of twice a width [mm].
+    """
     counts = np.array([4, 3, 2])
     index = np.array(list(np.ndindex(*(counts + 1))))
     points = index * 5.0 + (0, -7.5, 0)
     inner = (index[:, 1] == 1) | (index[:, 1] == 2)
     points[inner, 1] += shift
     cubes = np.array(list(np.ndindex(*counts)))
+    if slit:
+        within = inner & (index[:, 0] >= 2)
+        points[within, 1] = slit * np.sign(points[within, 1])
+        cubes = cubes[(cubes[:, 0] < 2) | (cubes[:, 1] != 1)]
     corners = np.concatenate([cubes[:, None] + six for six in SIX])
     cells = np.ravel_multi_index(np.moveaxis(corners, -1, 0), counts + 1)
     a, b, c, d = (points[cells[:, k]] for k in range(4))
@@ -128,10 +133,9 @@ def test_a_job_takes_the_half(tmp_path):
     assert "symmetry_y" in read_job(file).geometry().faces
 
 
-def test_walls_along_the_plane_stay_where_they_are():
-    """Tweezers with a slit of 0.4 mm: nodes of its walls are near the plane, and would close it if they were moved."""
-    body = occ.Box(occ.Pnt(0, -8, 0), occ.Pnt(16, 8, 8)) - occ.Box(occ.Pnt(6, -0.2, 0), occ.Pnt(16, 0.2, 8))
-    whole = tg.mesh(mold_part("tweezers", "body", body), size=6 * mm, cells="tetrahedra")
+def test_walls_along_the_plane_stay_where_they_are(tmp_path):
+    """A slit of 0.4 mm: corners of its walls are near the plane, and would close it if they were moved."""
+    whole = read_mesh(bar_file(tmp_path, slit=0.2))
     half = half_of(whole, "y")
-    assert cell_volumes(half).sum() / mm**3 == pytest.approx((16 * 16 - 10 * 0.4) * 8 / 2, rel=1e-9)
-    assert area_of(half, "symmetry_y") == pytest.approx(48 * mm**2, rel=1e-9)
+    assert cell_volumes(half).sum() / mm**3 == pytest.approx((20 * 15 - 10 * 0.4) * 10 / 2, rel=1e-9)
+    assert area_of(half, "symmetry_y") == pytest.approx(100 * mm**2, rel=1e-9)

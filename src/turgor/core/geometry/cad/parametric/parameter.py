@@ -44,7 +44,8 @@ class Parameter:
     @property
     def with_unit(self) -> Stated | None:
         """The default as a job states it."""
-        return f"{self.default} {self.unit}" if self.unit and self.default is not None else self.default
+        named = self.unit and self.kind == "number" and self.default is not None
+        return f"{self.default} {self.unit}" if named else self.default
 
 
 def arguments(
