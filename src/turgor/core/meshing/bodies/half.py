@@ -61,13 +61,33 @@ x; move the plane to 0.
         raise unknown("normal of a mirror plane", axis, ("x", "y", "z"))
     refuse_wedge(mesh)
     number, name = "xyz".index(axis), f"symmetry_{axis}"
-    slack = ROUND_OFF.mesh_digits * float(np.ptp(mesh.points, axis=0).max())
-    at = np.where(np.abs(mesh.points[:, number]) <= slack, 0.0, mesh.points[:, number])
-    points = mesh.points.copy()
-    points[:, number] = at
-    whole = _cut(replace(mesh, points=points), number)
+    whole = _cut(_on_plane(mesh, number), number)
     _check_alike(whole, number)
     return _upper(whole, number, name)
+
+
+def reach_across(mesh: Mesh, axis: str) -> bool:
+    """Return whether cells reach across the plane through the origin with a normal ``"x"``, ``"y"`` or ``"z"``.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    axis : str
+
+    Returns
+    -------
+    bool
+    """
+    number = "xyz".find(axis)
+    return number >= 0 and bool(_reach_across(_on_plane(mesh, number), number).any())
+
+
+def _on_plane(mesh: Mesh, number: int) -> Mesh:
+    """The mesh with nodes that are on the plane up to round-off exactly on it."""
+    slack = ROUND_OFF.mesh_digits * float(np.ptp(mesh.points, axis=0).max())
+    points = mesh.points.copy()
+    points[np.abs(points[:, number]) <= slack, number] = 0.0
+    return replace(mesh, points=points)
 
 
 def _cut(mesh: Mesh, number: int) -> Mesh:

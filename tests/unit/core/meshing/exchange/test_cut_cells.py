@@ -139,3 +139,15 @@ def test_walls_along_the_plane_stay_where_they_are(tmp_path):
     half = half_of(whole, "y")
     assert cell_volumes(half).sum() / mm**3 == pytest.approx((20 * 15 - 10 * 0.4) * 10 / 2, rel=1e-9)
     assert area_of(half, "symmetry_y") == pytest.approx(100 * mm**2, rel=1e-9)
+
+
+def test_hexahedra_of_a_file_are_split_before_they_are_cut(tmp_path):
+    points, cells = cases.grid((2, 3, 2), (0.0, -7.5, 0.0), 5.0)
+    file = tmp_path / "hexahedra.inp"
+    file.write_text("\n".join([*cases.inp_nodes(points), *cases.inp_cells("C3D8", cells), ""]), encoding="utf-8")
+    whole, half = tg.files.MeshFile(file=file), tg.files.MeshFile(file=file, mirror=("z", "y"), move=(0, 0, -5 * mm))
+    assert whole.read().cells.shape[1] == 27
+    quarter = half.read()
+    assert quarter.cells.shape[1] == 10
+    assert cell_volumes(quarter).sum() == pytest.approx(10 * 7.5 * 5 * mm**3, rel=1e-9)
+    assert [each.code for each in quarter.findings].count("G27") == 2
