@@ -225,3 +225,15 @@ def centers(mesh, name):
     corners = mesh.faces[name][:, : mesh.cell_type.side.corners]
     result = mesh.points[corners].mean(axis=1)
     return result[np.lexsort(np.round(result, 9).T)]
+
+
+def grid(counts: tuple[int, int, int], low: tuple[float, ...], size: float) -> tuple[np.ndarray, np.ndarray]:
+    """Points [mm] and hexahedra of a box of cubes."""
+    nx, ny, nz = (count + 1 for count in counts)
+    k, j, i = np.meshgrid(range(nz), range(ny), range(nx), indexing="ij")
+    points = np.column_stack([i.ravel(), j.ravel(), k.ravel()]) * size + np.array(low)
+    at = np.arange(nx * ny * nz).reshape(nz, ny, nx)
+    corner = [
+        at[c : nz - 1 + c, b : ny - 1 + b, a : nx - 1 + a].ravel() for c in (0, 1) for b in (0, 1) for a in (0, 1)
+    ]
+    return points, np.column_stack([corner[n] for n in (0, 1, 3, 2, 4, 5, 7, 6)])

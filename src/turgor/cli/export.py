@@ -30,6 +30,7 @@ class ExportOptions:
     step: Annotated[bool, typer.Option("--step", help="The geometry as STEP.")] = False
     stl: Annotated[bool, typer.Option("--stl", help="The whole body and each cavity as STL.")] = False
     mold: Annotated[bool, typer.Option("--mold", help="A casting mold as STEP and STL, and how it opens.")] = False
+    draft: Annotated[str, typer.Option(help="Draft of a mold's walls: faces that have less are listed.")] = "1 deg"
     to: Annotated[
         list[str] | None,
         typer.Option(
@@ -82,14 +83,17 @@ def _size(file: Path) -> str:
 
 def _files_of_job(chosen: ExportOptions, kinds: list[str]) -> tuple[Path, ...]:
     """Write what comes from the job itself."""
+    from turgor.core.geometry.molds.mold import MoldSettings
     from turgor.job.export import InpOptions, export_job
+    from turgor.units import parse_quantity
 
     if not kinds:
         return ()
     question = requested_job(chosen.job, chosen.changes)
     folder = chosen.output if chosen.output is not None else Path(f"{question.name}-export")
     options = InpOptions(program=chosen.program, poisson=chosen.poisson)
-    return export_job(question, folder, kinds, inp=options, force=chosen.force)
+    mold = MoldSettings(draft=parse_quantity(chosen.draft, "angle"))
+    return export_job(question, folder, kinds, inp=options, mold=mold, force=chosen.force)
 
 
 def _reduced(chosen: ExportOptions, answer: "Answer") -> None:

@@ -17,10 +17,23 @@ Vector = tuple[float, float, float]
 
 
 def inspect_command(
-    part: Annotated[Path, typer.Argument(metavar="PART", help="STEP, BREP or STL file.", show_default=False)],
+    part: Annotated[
+        Path,
+        typer.Argument(metavar="PART", help="STEP, BREP or STL file, or a script that draws one.", show_default=False),
+    ],
     unit: Annotated[
         str | None, typer.Option(help="Unit of the numbers in the file, such as mm.", show_default=False)
     ] = None,
+    dimensions: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set",
+            metavar="DIMENSION=VALUE",
+            help="Dimension of a script, such as wall='2 mm'; as often as needed.",
+            show_default=False,
+        ),
+    ] = None,
+    function: Annotated[str, typer.Option(help="Function of the script that draws the part.")] = "build",
     picture: Annotated[Path | None, typer.Option(help="Draw the part into this PNG.", show_default=False)] = None,
     as_json: Json = False,
     debug: Debug = False,
@@ -31,8 +44,11 @@ def inspect_command(
             raise TurgorError(f"--picture is '{picture}'; the name must end in .png.")
         from turgor.cli.answers.file_results import inspect_result
         from turgor.core.geometry.cad.inspection import inspect_cad
+        from turgor.core.geometry.cad.parametric.drawn import part_file
+        from turgor.job.text.overrides import parse_changes
 
-        inspection = inspect_cad(part, unit=unit)
+        with part_file(part, function, parse_changes(dimensions or ()), unit) as file:
+            inspection = inspect_cad(file, unit=unit)
         _show(inspection)
         answer.give(lambda: inspect_result(inspection))
         if picture is not None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.molds.casting_mold import casting_mold
-from turgor.core.geometry.molds.mold import Mold
+from turgor.core.geometry.molds.mold import Mold, MoldSettings
 from turgor.core.geometry.write_step import write_step
 from turgor.core.meshing.exchange.formats.write_stl import write_stl
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
@@ -43,7 +43,13 @@ class InpOptions:
 
 
 def export_job(
-    job: Job, folder: str | Path, kinds: Collection[str], *, inp: InpOptions | None = None, force: bool = False
+    job: Job,
+    folder: str | Path,
+    kinds: Collection[str],
+    *,
+    inp: InpOptions | None = None,
+    mold: MoldSettings | None = None,
+    force: bool = False,
 ) -> tuple[Path, ...]:
     """Write the actuator of a job as files of other programs.
 
@@ -59,6 +65,8 @@ def export_job(
         opens, as text.
     inp : InpOptions, optional
         Options of the .inp file.
+    mold : MoldSettings, optional
+        Dimensions of the mold.
     force : bool
         Whether existing files are replaced.
 
@@ -78,8 +86,8 @@ def export_job(
     place, written = Path(folder), []
     geometry = job.geometry()
     mesh = mesh_of(job, geometry) if {"inp", "stl"} & set(kinds) else None
-    mold = casting_mold(job.actuator) if "mold" in kinds else None
-    names = _names(job, geometry, mesh, kinds, mold)
+    parts = casting_mold(job.actuator, mold) if "mold" in kinds else None
+    names = _names(job, geometry, mesh, kinds, parts)
     taken = [name for name in names if (place / name).exists()]
     if taken and not force:
         raise TurgorError(
@@ -96,8 +104,8 @@ def export_job(
         write_stl(mesh, place / f"{job.name}.stl")
         for cavity in mesh.cavities:
             write_stl(mesh, place / f"{job.name}-{cavity}.stl", face=cavity)
-    if mold is not None:
-        _write_mold(mold, place, f"{job.name}-mold")
+    if parts is not None:
+        _write_mold(parts, place, f"{job.name}-mold")
     written += [place / name for name in names]
     return tuple(written)
 

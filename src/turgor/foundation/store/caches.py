@@ -13,6 +13,7 @@ FOLDER = "TURGOR_CACHE"
 PARTS = {
     "families": "shapes and meshes of actuator families",
     "meshes": "tetrahedral meshes of STL files",
+    "parts": "parts that scripts drew",
     "laws": "derivatives of laws",
     "runs": "numbers of iterations of the last runs",
     "compiled": "compiled kernels",

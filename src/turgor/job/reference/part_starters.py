@@ -10,6 +10,7 @@ import numpy as np
 from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.geometry.cad.files import SUFFIXES
 from turgor.core.geometry.cad.inspection import FaceFacts, Inspection, inspect_cad
+from turgor.core.geometry.cad.parametric.drawn import part_file
 from turgor.core.geometry.cad.selectors import Selector, WithNormal
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.exchange.mesh_file import MeshFile
@@ -25,7 +26,7 @@ from turgor.job.tables.mesh_files import MESH_FILE
 from turgor.units import mm
 
 #: Endings of files that hold a part.
-PART_ENDINGS = (*SUFFIXES, *READERS)
+PART_ENDINGS = (*SUFFIXES, ".py", *READERS)
 
 #: A plane face is at the end of a part if it is this near to it, relative to the length of the part.
 AT_THE_END = 0.02
@@ -61,7 +62,7 @@ def part_starter(file: Path, folder: Path, unit: str | None = None) -> str:
     Parameters
     ----------
     file : Path
-        CAD file or mesh file.
+        CAD file, script that draws a part, or mesh file.
     folder : Path
         Where the job will lie; the path of the part counts from there.
     unit : str, optional
@@ -77,7 +78,7 @@ def part_starter(file: Path, folder: Path, unit: str | None = None) -> str:
     TurgorError
         If the file cannot be read.
     """
-    part = _cad_part(file, unit) if file.suffix.lower() in SUFFIXES else _mesh_part(file, unit)
+    part = _mesh_part(file, unit) if file.suffix.lower() in READERS else _cad_part(file, unit)
     faces = {name: {"normal": normal} for name, normal in part.ends.items()}
     table = {"type": part.kind, "file": _from(folder, file), "unit": unit, "faces": faces}
     lines = [f"{key} = {toml(value, Kind(words=''))}" for key, value in table.items() if value]
@@ -88,7 +89,8 @@ def part_starter(file: Path, folder: Path, unit: str | None = None) -> str:
 
 
 def _cad_part(file: Path, unit: str | None) -> _Part:
-    inspection = inspect_cad(file, unit=unit)
+    with part_file(file, unit=unit) as drawn:
+        inspection = inspect_cad(drawn, unit=unit)
     axis = int(np.argmax(inspection.size))
     ends = {name: f"{sign}{'xyz'[axis]}" for name, sign in ENDS.items() if _has_end(inspection, axis, sign, name)}
     chosen: dict[str, Selector] = {name: WithNormal(normal) for name, normal in ends.items()}  # type: ignore[arg-type]

@@ -2,12 +2,16 @@
 
 from collections.abc import Mapping
 from dataclasses import fields
+from math import isfinite
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
 from turgor.core.geometry.cad.cad_file import CadFile
+from turgor.core.geometry.cad.parametric.drawn import PARAMETRIC, check_dimensions, dimensions_of, is_parametric
+from turgor.core.geometry.cad.parametric.parameter import Stated
+from turgor.core.geometry.cad.parametric.script import BUILD
 from turgor.core.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
 from turgor.core.geometry.cad.split import SplitPlane
 from turgor.core.geometry.cad.symmetry.requested import NONE
@@ -15,7 +19,7 @@ from turgor.core.geometry.directions import FileAxes
 from turgor.foundation.errors import TurgorError, near_file
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Coordinate, Length, Table, read_table
+from turgor.job.text.quantities import Coordinate, Length, Says, Table, read_table, shown
 from turgor.units import format_quantity
 
 #: The type of an actuator that comes from a CAD file.
@@ -93,15 +97,31 @@ class SplitTable(Table):
     interface: str = "strain_limiting_layer"
 
 
+def _stated(value: object) -> object:
+    """Refuse what is no value of a dimension."""
+    if isinstance(value, bool | int | str) or (isinstance(value, float) and isfinite(value)):
+        return value
+    raise TurgorError(f"{shown(value)} is neither a quantity such as '1.5 mm' nor a number, a text, true or false.")
+
+
+Dimension = Annotated[Any, BeforeValidator(_stated), Says("quantity, number, text, true or false", '"1.5 mm"')]
+
+
 class CadFileTable(Table):
     """``[actuator]``: an actuator from a CAD file.
 
     Keys
     ----
     file : str
-        STEP, BREP or STL file; its path counts from the folder of the job file.
+        STEP, BREP or STL file; a script (.py) whose function draws the part; or a table (.csv) of such files with their
+        dimensions. Its path counts from the folder of the job file.
+    function : str
+        Function of the script: it takes the dimensions and returns the part, or the path of a CAD file.
+    dimensions : table of quantities, numbers or texts
+        Arguments of the function, or what picks a row of the table.
     unit : str or float
-        Unit of the numbers in the file, or its length in meters.
+        Unit of the numbers in the file, or its length in meters. A script gets lengths in it, in millimeters by
+        default, and angles in degrees.
     symmetry : str
         ``"automatic"`` models a half or a quarter where the part and its loads are the same on both sides of a plane
         across x, y or z, or a wedge with cyclic faces where that is a smaller share. ``"y"`` or ``"yz"`` names the
@@ -113,6 +133,8 @@ class CadFileTable(Table):
 
     type: str
     file: str = Field(examples=['"finger.step"'])
+    function: str = Field(default=BUILD, examples=['"build"'])
+    dimensions: dict[str, Dimension] = Field(default_factory=dict, examples=['{ wall = "1.5 mm", chambers = 3 }'])
     unit: str | float | None = Field(default=None, examples=['"mm"'])
     sha256: str = ""
     faces: dict[str, SelectorTable] = Field(default_factory=dict, examples=['{ fixed = { normal = "-x" } }'])
@@ -131,9 +153,11 @@ def read_cad_file(values: Mapping[str, Any], problems: Problems, key: Key = ("ac
     if not file.is_file():
         from turgor.core.geometry.cad.files import SUFFIXES  # here: it loads the CAD kernel
 
-        there = sorted(p.name for p in file.parent.glob("*") if p.suffix.lower() in SUFFIXES)
+        there = sorted(p.name for p in file.parent.glob("*") if p.suffix.lower() in (*SUFFIXES, *PARAMETRIC))
         listed = f" CAD files there: {', '.join(there)}." if there else ""
         problems.add((*key, "file"), f"there is no file '{file}'{near_file(file, there)}{listed}")
+        return None
+    if file.suffix.lower() in PARAMETRIC and not _dimensions_fit(table, file, problems, key):
         return None
     split = None
     if table.split is not None:
@@ -147,6 +171,8 @@ def read_cad_file(values: Mapping[str, Any], problems: Problems, key: Key = ("ac
         key,
         lambda: CadFile(
             file=file.resolve(),
+            function=table.function,
+            dimensions=_with_defaults(table, file),
             unit=table.unit,
             faces={name: choice.selector() for name, choice in table.faces.items()},
             regions={name: choice.selector() for name, choice in table.regions.items()},
@@ -157,6 +183,23 @@ def read_cad_file(values: Mapping[str, Any], problems: Problems, key: Key = ("ac
         ),
         fields=[item.name for item in fields(CadFile)],
     )
+
+
+def _dimensions_fit(table: CadFileTable, file: Path, problems: Problems, key: Key) -> bool:
+    """Note what is wrong with the script or the table of files, and then with the dimensions."""
+    known = problems.attempt(key, lambda: dimensions_of(file, table.function), fields=("function",))
+    if known is None:
+        return False
+    given, where = table.dimensions, (*key, "dimensions")
+    checked = problems.attempt(where, lambda: check_dimensions(file, table.function, given, table.unit), fields=given)
+    return checked is not None
+
+
+def _with_defaults(table: CadFileTable, file: Path) -> dict[str, Stated]:
+    """The dimensions of a part with the defaults of its script, so that a lock file states all of them."""
+    known = dimensions_of(file, table.function)
+    defaults = {each.name: each.with_unit for each in known if each.with_unit is not None}
+    return {**defaults, **table.dimensions}
 
 
 def file_axes(axes: list[str | list[float]] | None) -> FileAxes | None:
@@ -173,6 +216,8 @@ def axes_table(axes: FileAxes) -> list[str | list[float]]:
 def cad_file_table(actuator: CadFile) -> dict[str, Any]:
     """Write an actuator that comes from a CAD file as `read_cad_file` reads it, without its type."""
     values: dict[str, Any] = {"file": Path(actuator.file).as_posix(), "sha256": actuator.sha256}
+    if is_parametric(Path(actuator.file)):
+        values |= {"function": actuator.function, "dimensions": dict(actuator.dimensions)}
     if actuator.unit is not None:
         values["unit"] = actuator.unit
     for key, selectors in (("faces", actuator.faces), ("regions", actuator.regions)):

@@ -77,6 +77,7 @@ class MeshFileTable(Table):
         How far it is moved, after the turn.
     mirror : list of str
         Normals of mirror planes through the origin after the move; the half at positive x, y or z is taken.
+        Tetrahedra across a plane are cut there.
     plane_strain : length
         Thickness of the part whose section is the plane mesh of the file.
     axisymmetric : str

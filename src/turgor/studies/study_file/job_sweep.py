@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from turgor.core.geometry.cad.parametric.drawn import files_of
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.source import Source
 from turgor.foundation.store.atomic_files import whole
@@ -49,15 +50,20 @@ def _copy_files(study: StudyFile, designs: Designs, folder: Path) -> None:
     for key, name in sorted((key, name) for key, name in named if isinstance(name, str)):
         if Path(name).is_absolute() or ".." in Path(name).parts:
             raise TurgorError(f"factors.{key}: '{name}' must lie in the folder of the job, '{study.folder}'.")
-        source, target = study.folder / name, folder / name
-        if not source.is_file():
-            raise TurgorError(f"factors.{key}: there is no file '{source}'.")
-        content = source.read_bytes()
-        if target.is_file() and target.read_bytes() != content:
-            raise TurgorError(
-                f"factors.{key}: '{source}' has changed since the study in '{folder}' began; name another folder of "
-                "results, or give the file another name."
-            )
-        target.parent.mkdir(parents=True, exist_ok=True)
-        with whole(target) as part:
-            part.write_bytes(content)
+        if not (study.folder / name).is_file():
+            raise TurgorError(f"factors.{key}: there is no file '{study.folder / name}'.")
+        for source in sorted(files_of(study.folder / name)):
+            _copy(key, source, folder / source.relative_to(study.folder), folder)
+
+
+def _copy(key: str, source: Path, target: Path, folder: Path) -> None:
+    """Copy a file, unless another one is there."""
+    content = source.read_bytes()
+    if target.is_file() and target.read_bytes() != content:
+        raise TurgorError(
+            f"factors.{key}: '{source}' has changed since the study in '{folder}' began; name another folder of "
+            "results, or give the file another name."
+        )
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with whole(target) as part:
+        part.write_bytes(content)

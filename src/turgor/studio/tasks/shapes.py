@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.geometry.cad.inspection import Inspection, inspect_here
+from turgor.core.geometry.cad.parametric.drawn import part_file
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.materials.material import Material
 from turgor.core.model.obstacles import Obstacle
@@ -135,7 +136,8 @@ class _Named:
     @property
     def _key(self) -> str:
         given = self.actuator
-        return repr((given.sha256, given.unit, given.faces, given.regions, given.split))
+        drawn = (given.sha256, given.function, given.dimensions)
+        return repr((drawn, given.unit, given.faces, given.regions, given.split))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, _Named) and self._key == other._key
@@ -148,7 +150,8 @@ class _Named:
 def _inspected(named: _Named) -> Inspection:
     """Look through a file in this process: it is a child of the server, and may crash."""
     given = named.actuator
-    return inspect_here(given.file, given.unit, dict(given.faces), dict(given.regions), given.split)
+    with part_file(given.file, given.function, given.dimensions, given.unit) as path:
+        return inspect_here(path, given.unit, dict(given.faces), dict(given.regions), given.split)
 
 
 def _point_on(triangles: NDArray[np.float64]) -> list[str]:

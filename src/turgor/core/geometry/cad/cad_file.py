@@ -1,11 +1,13 @@
 """CadFile: an actuator from a CAD file, as a value of a job."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from hashlib import sha256
 from pathlib import Path
 
+from turgor.core.geometry.cad.parametric.drawn import check_dimensions, checksum, is_parametric, part_file
+from turgor.core.geometry.cad.parametric.parameter import Stated, shown_dimensions
+from turgor.core.geometry.cad.parametric.script import BUILD
 from turgor.core.geometry.cad.selectors import Selector
 from turgor.core.geometry.cad.split import SplitPlane
 from turgor.core.geometry.cad.symmetry.requested import NONE, RequestedSymmetry
@@ -24,9 +26,14 @@ class CadFile:
     Parameters
     ----------
     file : Path
-        STEP, BREP or STL.
+        STEP, BREP or STL; a script (.py) whose function draws the part; or a table (.csv) of such files.
+    function : str
+        Function of the script.
+    dimensions : mapping of str to float, int, str or bool
+        Arguments of the function, or what picks a row of the table: text with a unit, or plain numbers.
     unit : str or float, optional
-        Unit of the numbers in the file; it overrides that of the file.
+        Unit of the numbers in the file; it overrides that of the file. A script gets lengths in it, in millimeters by
+        default, and angles in degrees.
     faces : mapping of str to Selector
         Names for faces.
     regions : mapping of str to Selector
@@ -53,6 +60,8 @@ class CadFile:
     """
 
     file: Path
+    function: str = BUILD
+    dimensions: Mapping[str, Stated] = field(default_factory=dict)
     unit: str | float | None = None
     faces: Mapping[str, Selector] = field(default_factory=dict)
     regions: Mapping[str, Selector] = field(default_factory=dict)
@@ -64,13 +73,14 @@ class CadFile:
     def __post_init__(self) -> None:
         if not Path(self.file).is_file():
             raise TurgorError(f"file is {self.file}, and there is no such file.")
-        checksum = sha256(Path(self.file).read_bytes()).hexdigest()
-        if self.sha256 and self.sha256 != checksum:
+        content = checksum(Path(self.file))
+        if self.sha256 and self.sha256 != content:
             raise TurgorError(
-                f"sha256 is {self.sha256[:12]}…, but the content of '{self.file}' has {checksum[:12]}…: the file has "
+                f"sha256 is {self.sha256[:12]}…, but the content of '{self.file}' has {content[:12]}…: the file has "
                 "changed since; take the old one, or remove the key to go on with the new one."
             )
-        object.__setattr__(self, "sha256", checksum)
+        check_dimensions(Path(self.file), self.function, self.dimensions, self.unit)
+        object.__setattr__(self, "sha256", content)
         object.__setattr__(self, "symmetry", self.requested_symmetry)
         if self.axes is not None:
             rotation_to(self.axes)  # refuses what are none
@@ -81,7 +91,8 @@ class CadFile:
         requested = self.requested_symmetry
         broken = tuple(sorted(requested.broken.items())), tuple(sorted(requested.broken_turns.items()))
         placing = (requested.planes, *broken, self.axes)
-        return _built(self.file, self.sha256, self.unit, *names, self.split, placing)
+        drawn = (self.function, tuple(self.dimensions.items()))
+        return _built(self.file, self.sha256, drawn, self.unit, *names, self.split, placing)
 
     @property
     def requested_symmetry(self) -> RequestedSymmetry:
@@ -93,16 +104,27 @@ class CadFile:
 def _built(
     file: Path,
     sha256: str,
+    drawn: tuple[str, tuple[tuple[str, Stated], ...]],
     unit: str | float | None,
     faces: tuple[tuple[str, Selector], ...],
     regions: tuple[tuple[str, Selector], ...],
     split: SplitPlane | None,
     placing: tuple[str, Reasons, Reasons, FileAxes | None],
 ) -> Geometry:
-    """Read a file; the checksum makes another call of it when its content changes."""
+    """Read a file, or the part that a script draws; the checksum makes another call of it when its content changes."""
     from turgor.core.geometry.cad.read import read_cad  # here: it loads much, and every job loads this file
 
     planes, broken, turns, axes = placing
     requested = RequestedSymmetry(planes, dict(broken), dict(turns))
     named = {"faces": dict(faces), "regions": dict(regions)}
-    return read_cad(file, unit=unit, **named, split=split, symmetry=requested, axes=axes)
+    function, dimensions = drawn[0], dict(drawn[1])
+    with part_file(Path(file), function, dimensions, unit) as path:
+        try:
+            geometry = read_cad(path, unit=unit, **named, split=split, symmetry=requested, axes=axes)
+        except TurgorError as error:
+            if not is_parametric(Path(file)):
+                raise
+            shown = shown_dimensions(dimensions)
+            sentence = str(error).replace(str(path), path.name)  # the folder is gone
+            raise TurgorError(f"the part of '{Path(file).name}' with {shown} is refused: {sentence}") from None
+    return replace(geometry, file=str(file))

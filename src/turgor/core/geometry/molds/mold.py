@@ -28,7 +28,7 @@ class MoldSettings:
     undercut : float [m²]
         Area of the casting that may look away from the pull of its half: rubber is peeled off small undercuts.
     draft : float [rad]
-        Walls that are steeper count as walls without draft.
+        Draft of the walls along the pull of halves and cores; the notes list the faces that have less.
     """
 
     wall: float = 8 * mm

@@ -17,6 +17,7 @@ from turgor.core.geometry.shapes.solids import box, cut, union, volume
 NOTES = (
     "Cup and core part at the floor of the cavity and are pulled along z. Fill the cup and press the core in.",
     "Cast the floor and the base in the tray, with the paper in it, and glue them on; a tube makes the air inlet.",
+    "The walls of the cup and of the core lie along the pull and have no draft: use a release agent.",
 )
 
 

@@ -11,6 +11,7 @@ from turgor.core.geometry.cad.facets import find_facets
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.molds.cores import Plug, plug_of
+from turgor.core.geometry.molds.draft import draft_lines, draftless
 from turgor.core.geometry.molds.mold import Mold, MoldSettings, mold_part
 from turgor.core.geometry.molds.parting import SLOPE, Parting, areas, partings
 from turgor.core.geometry.shapes.solids import cut, union
@@ -51,7 +52,8 @@ def two_halves(geometry: Geometry, settings: MoldSettings) -> Mold:
     names = list(geometry.cavities) if len(hollows) == len(geometry.cavities) else [""] * len(hollows)
     plugs = [plug_of(n or "cavity", each, facets, faces, far) for n, each in zip(names, hollows, strict=True)]
     inside = np.concatenate([np.zeros(0, dtype=np.int64), *[np.array(each.faces) for each in hollows]])
-    outside = facets.points[facets.triangles[~np.isin(facets.face, inside)]]
+    on_outside = ~np.isin(facets.face, inside)
+    outside = facets.points[facets.triangles[on_outside]]
     parting = _chosen(partings(outside), plugs, settings)
     block = _box(low - wall, high + wall)
     pieces = list(cut(block - body, [plug.shape for plug in plugs]).solids)
@@ -66,7 +68,12 @@ def two_halves(geometry: Geometry, settings: MoldSettings) -> Mold:
     named = ["core"] if len(cores) == 1 else [f"core_{i}" for i in range(1, len(cores) + 1)]
     shapes |= dict(zip(named, cores, strict=True))
     parts = {name: mold_part(f"{name} of the mold of {geometry.name}", name, each) for name, each in shapes.items()}
-    return Mold(parts=parts, notes=_notes(parting, outside, plugs, settings))
+    walls = draftless(outside, facets.face[on_outside], parting.axis, settings.draft, "halves")
+    for name, hollow, plug in zip(named, hollows, plugs, strict=True):
+        rows = np.isin(facets.face, np.array(hollow.faces))
+        corners = facets.points[facets.triangles[rows]]
+        walls += draftless(corners, facets.face[rows], plug.axis, settings.draft, name.replace("_", " "))
+    return Mold(parts=parts, notes=(*_notes(parting, outside, plugs, settings), *draft_lines(walls, settings.draft)))
 
 
 def _whole(geometry: Geometry) -> Any:

@@ -1,7 +1,7 @@
 """MeshFile: an actuator that comes as a mesh, as a job names it."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from hashlib import sha256
 from math import pi, sin
 from pathlib import Path
@@ -12,13 +12,14 @@ from turgor.core.geometry.cad.walls import WALLS, thinnest_wall
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.directions import AXES, FileAxes
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.meshing.cells import six_node_triangles
+from turgor.core.meshing.cells import TETRAHEDRON, six_node_triangles
 from turgor.core.meshing.exchange.formats.raw import Ints
 from turgor.core.meshing.exchange.selectors import Choice
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.revolved.plane_state import PlaneState
 from turgor.core.meshing.surface import outer_triangles
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.finding import Finding, Severity
 
 Corner = tuple[float, float, float]
 
@@ -117,37 +118,69 @@ class MeshFile:
         object.__setattr__(self, "sha256", checksum)
 
     def read(self) -> Mesh:
-        """Read the mesh, turn and move it, and take its half or quarter."""
-        from turgor.core.meshing.bodies.half import half_of
-        from turgor.core.meshing.bodies.placing import placed
+        """Read the mesh, turn and move it, and take its half or quarter; hexahedra across its plane are split first."""
+        from turgor.core.meshing.bodies.half import half_of, reach_across
+
+        mesh = self._placed(self._whole())
+        for number, normal in enumerate(self.mirror):
+            if mesh.cell_type is not TETRAHEDRON and reach_across(mesh, normal):
+                mesh = self._placed(self._tetrahedra())
+                for earlier in self.mirror[:number]:
+                    mesh = half_of(mesh, earlier)
+            mesh = half_of(mesh, normal)
+        return mesh
+
+    def _whole(self) -> Mesh:
+        """The mesh as the file has it."""
         from turgor.core.meshing.exchange.read import read_mesh
         from turgor.core.meshing.exchange.surface_filling import (
             mesh_surfaces,  # here: readers load much, and every job loads this file
         )
 
-        surface = Path(self.file).suffix.lower() == ".stl"
         if self.plane is not None:
             from turgor.core.meshing.revolved.read_plane import read_plane_mesh  # here: as the readers above
 
-            mesh = read_plane_mesh(
+            return read_plane_mesh(
                 self.file, self.plane, unit=self.unit, regions=self.regions, faces=self.faces, axes=self.axes
             )
-        else:
-            reader: Callable[..., Mesh] = mesh_surfaces if surface else read_mesh
-            mesh = reader(
-                self.file,
-                unit=self.unit,
-                regions=self.regions,
-                faces=self.faces,
-                cavities=self.cavities,
-                axes=self.axes,
-            )
-        if self.turn is not None or self.move is not None:
-            axis, angle = self.turn or ("z", 0.0)
-            mesh = placed(mesh, shift=self.move or (0.0, 0.0, 0.0), axis=AXES[axis], angle=angle)
-        for normal in self.mirror:
-            mesh = half_of(mesh, normal)
-        return mesh
+        surface = Path(self.file).suffix.lower() == ".stl"
+        reader: Callable[..., Mesh] = mesh_surfaces if surface else read_mesh
+        return reader(
+            self.file,
+            unit=self.unit,
+            regions=self.regions,
+            faces=self.faces,
+            cavities=self.cavities,
+            axes=self.axes,
+        )
+
+    def _tetrahedra(self) -> Mesh:
+        """The mesh with all cells split into tetrahedra, with a finding that says so."""
+        from turgor.core.meshing.exchange.names import Wishes
+        from turgor.core.meshing.exchange.read import named_mesh, read_in
+        from turgor.core.meshing.exchange.splitting import as_tetrahedra
+
+        raw, frame = read_in(Path(self.file), self.unit, self.axes)
+        raw, _ = as_tetrahedra(raw)
+        wishes = Wishes(regions=self.regions, faces=self.faces, cavities=self.cavities, frame=frame)
+        mesh = named_mesh(raw, wishes)
+        finding = Finding(
+            code="G27",
+            severity=Severity.NOTE,
+            message=f"Hexahedra of '{mesh.name}' reach across its mirror plane, and all were split into "
+            f"{len(mesh.cells)} tetrahedra.",
+            advice="A mesh with sides of hexahedra on the plane keeps them; its half has fewer unknowns.",
+        )
+        return replace(mesh, findings=(*mesh.findings, finding))
+
+    def _placed(self, mesh: Mesh) -> Mesh:
+        """A mesh turned and moved."""
+        if self.turn is None and self.move is None:
+            return mesh
+        from turgor.core.meshing.bodies.placing import placed
+
+        axis, angle = self.turn or ("z", 0.0)
+        return placed(mesh, shift=self.move or (0.0, 0.0, 0.0), axis=AXES[axis], angle=angle)
 
     def build(self) -> Geometry:
         """Read the mesh and give it the form of a geometry, whose names and volumes are those of the mesh."""

@@ -141,3 +141,33 @@ def test_settings_change_the_block():
     thick = casting_mold(PARTS["a tube along the plane"])
     assert thin.parts["lower"].solid_volume < thick.parts["lower"].solid_volume
     assert "20°" in thin.notes[1]
+
+
+def test_faces_without_draft_are_listed_with_what_they_lack():
+    """A frustum of a square with one upright side: its draft is that of the drawing, and the upright side has none."""
+    up = np.tan(2 * deg) * 10
+    bottom, top = (
+        [(-10, -5), (10, -5), (10, 5), (-10, 5)],
+        [(-10, -5 + up), (10 - up, -5 + up), (10 - up, 5 - up), (-10, 5 - up)],
+    )
+    wires = [_outline(corners, z) for corners, z in ((bottom, 0.0), (top, 10.0))]
+    frustum = mold_part("frustum", "body", occ.ThruSections(wires, True))
+    lines = "\n".join(casting_mold(frustum, MoldSettings(draft=1 * deg)).notes)
+    upright = 10 * (10 + 10 - 2 * up) / 2
+    assert f"{upright:.4g} mm² around (-10, 0, " in lines
+    assert lines.count("mm² around") == 1
+    lines = "\n".join(casting_mold(frustum, MoldSettings(draft=3 * deg)).notes)
+    assert lines.count(": 2°, 1° less") == 3
+
+
+def test_a_core_without_draft_is_listed():
+    cup = mold_part("cup", "body", BOX - occ.Box(occ.Pnt(-8, -8, -8), occ.Pnt(10, 8, 8)))
+    lines = casting_mold(cup).notes
+    start = next(i for i, line in enumerate(lines) if "pull of the core" in line)
+    assert sum("mm² around" in line for line in lines[start:]) == 4
+    assert any("288 mm² around (1, " in line for line in lines[start:])
+
+
+def _outline(corners, z):
+    points = [occ.Pnt(x, y, z) for x, y in corners]
+    return occ.Wire([occ.Segment(a, b) for a, b in zip(points, [*points[1:], points[0]], strict=True)])

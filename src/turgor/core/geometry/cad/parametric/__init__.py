@@ -1,0 +1,1 @@
+"""Parts with dimensions: functions of Python scripts, and tables of CAD files."""
