@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from turgor.core.model.points import ReferencePoint as ReferencePoint
     from turgor.core.model.points import Rotation as Rotation
     from turgor.core.model.supports import Displacement as Displacement
+    from turgor.core.model.supports import Equation as Equation
     from turgor.core.model.supports import Fixed as Fixed
     from turgor.core.model.supports import Foundation as Foundation
     from turgor.core.model.supports import PlaneSection as PlaneSection

@@ -76,3 +76,20 @@ class IterativeSolverSettings:
 
 
 ITERATIVE_SOLVER = IterativeSolverSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class EquationSettings:
+    """Settings of linear equations between displacements.
+
+    Parameters
+    ----------
+    round_off : float
+        Factors below this share of the largest in their equation count as zero. Directions of nodes have errors of
+        1e-16, files have 9 digits at least where they state directions.
+    """
+
+    round_off: float = 1e-9
+
+
+EQUATIONS = EquationSettings()

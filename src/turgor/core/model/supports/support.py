@@ -123,6 +123,18 @@ class Support:
         """Return nodes (k,) and the unit vectors (k, 3) along which they do not move; None where there are none."""
         return None
 
+    def equations(self, mesh: Mesh) -> tuple[Ints, Array] | None:
+        """Return linear equations between displacements; None where there are none.
+
+        Returns
+        -------
+        nodes : (k, m) int array
+            Nodes of each equation, one for each of its terms.
+        vectors : (m, 3) array
+            The sum over the terms of the displacement times this vector is zero.
+        """
+        return None
+
     def section_axis(self, mesh: Mesh) -> int | None:
         """Return the axis along which all nodes of its face move by the same free amount; None of other supports."""
         return None
