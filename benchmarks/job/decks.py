@@ -98,6 +98,8 @@ def compared(solution: tg.Solution, deck: Path, reference: str, length: float) -
 
     read = read_deck(deck)
     place = {node: read.place[node] for node in read.solid_nodes.tolist()}  # what others print may be turns
+    shared = Counter(tuple(np.round(at, 9)) for at in place.values())  # of two nodes at one place the mesh has no numbers
+    place = {node: at for node, at in place.items() if shared[tuple(np.round(at, 9))] == 1}
     mesh = solution.model.mesh
     tree = cKDTree(mesh.points)
     blocks = printed(reference)

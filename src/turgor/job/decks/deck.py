@@ -106,6 +106,19 @@ class Deck:
         return np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *corners]))
 
     @cached_property
+    def twins(self) -> Ints:
+        """Corners of solid cells that lie at the place of another one."""
+        corners = self.corner_nodes
+        points = np.round([self.place[node] for node in corners.tolist()], 9)
+        _, place, count = np.unique(points, axis=0, return_inverse=True, return_counts=True)
+        return corners[count[place.ravel()] > 1]
+
+    @property
+    def apart(self) -> bool:
+        """Whether nodes at the same place stay two in its mesh file, since no tie makes them one."""
+        return bool(len(self.twins)) and not self.plane and not any(each.name == "tie" for each in self.model)
+
+    @cached_property
     def node_sets(self) -> NumberSets:
         """Sets of nodes."""
         return NumberSets(self.content.node_sets, self.node_ids, "", [])

@@ -148,6 +148,7 @@ def plane_table(deck: Deck, units: DeckUnits, account: Account) -> dict[str, str
 
 def check_ties(deck: Deck, account: Account) -> None:
     """Say what became of ties: nodes at the same place become one, and other ties have no form."""
+    _check_twins(deck, account)
     for keyword in deck.model:
         if keyword.name != "tie":
             continue
@@ -157,6 +158,19 @@ def check_ties(deck: Deck, account: Account) -> None:
                 account.missing(keyword, "surfaces whose nodes do not coincide cannot be tied here; mesh them alike.")
             else:
                 account.taken(keyword, "nodes at the same place become one")
+
+
+def _check_twins(deck: Deck, account: Account) -> None:
+    """Refuse nodes at one place that stay two in the deck, where others are tied or the model is plane."""
+    ties = [each for each in deck.model if each.name == "tie"]
+    surfaces = [name for each in ties for line in each.lines for name in words_of(line)]
+    tied = np.concatenate([np.zeros(0, dtype=np.int64), *(nodes_of_surface(deck, name) for name in surfaces)])
+    loose = [] if deck.apart else np.setdiff1d(deck.twins, tied)
+    if len(loose):
+        keyword = next((each for each in (*ties, *deck.model) if each.name in ("tie", "element")))
+        account.missing(
+            keyword, f"{len(loose)} nodes lie at the place of others without a tie, and become one with them here."
+        )
 
 
 def nodes_of_surface(deck: Deck, name: str) -> np.ndarray:

@@ -17,6 +17,7 @@ from turgor.core.model.places import NodesAt
 from turgor.core.model.supports import Displacement, Fixed, Foundation, Roller, Shift, Slide, Support
 from turgor.foundation.registry import Registry, class_of_file
 from turgor.foundation.round_off import ROUND_OFF
+from turgor.job.tables.equations import read_equation
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.text.body_names import by_body
 from turgor.job.text.lines import Key
@@ -87,7 +88,8 @@ def read_supports(values: Any, geometry: Geometry | None, problems: Problems) ->
     for face, stated in values.items():
         key = ("supports", face)
         if isinstance(stated, Mapping):
-            support = _of_table(face, stated, geometry, problems)
+            reads = read_equation if "terms" in stated else _of_table
+            support = reads(face, stated, geometry, problems)
             supports += [] if support is None else [support]
         elif lacks_faces(face_or_set(face, geometry), key, geometry, problems):
             continue

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from hashlib import sha256
 from math import pi, sin
 from pathlib import Path
@@ -73,6 +74,8 @@ class MeshFile:
         How far it is moved, after the turn.
     mirror : tuple of str
         Normals of mirror planes through the origin, after the move: the half at positive x, y or z is taken.
+    merge : bool
+        Whether nodes at the same place become one, as for `read_mesh`.
     plane : PlaneStrain or Axisymmetric, optional
         What a plane mesh stands for; None for a volume mesh.
     sha256 : str
@@ -99,6 +102,7 @@ class MeshFile:
     turn: tuple[str, float] | None = None
     move: Corner | None = None
     mirror: tuple[str, ...] = ()
+    merge: bool = True
     plane: PlaneState | None = None
     sha256: str = ""
 
@@ -106,6 +110,8 @@ class MeshFile:
         without = [name for name in ("cavities", "turn", "mirror") if self.plane is not None and getattr(self, name)]
         if without:
             raise TurgorError(f"{without[0]} is for volume meshes; a plane mesh is cut where its file is made.")
+        if not self.merge and (self.plane is not None or Path(self.file).suffix.lower() == ".stl"):
+            raise TurgorError("merge = false is for files of volume meshes; nodes of others are merged.")
         if not Path(self.file).is_file():
             raise TurgorError(f"file is {self.file}, and there is no such file.")
         checksum = sha256(Path(self.file).read_bytes()).hexdigest()
@@ -133,7 +139,7 @@ class MeshFile:
                 self.file, self.plane, unit=self.unit, regions=self.regions, faces=self.faces, axes=self.axes
             )
         else:
-            reader: Callable[..., Mesh] = mesh_surfaces if surface else read_mesh
+            reader: Callable[..., Mesh] = mesh_surfaces if surface else partial(read_mesh, merge=self.merge)
             mesh = reader(
                 self.file,
                 unit=self.unit,

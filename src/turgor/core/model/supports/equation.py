@@ -165,8 +165,8 @@ def _term(given: object, what: str) -> Term:
 def _nodes(mesh: Mesh, face: str | NodesAt, equation: str) -> Ints:
     if isinstance(face, NodesAt):
         return face.nodes(mesh)
+    if face in mesh.node_sets:  # first: a face of the same name has those of its nodes that make whole sides
+        return np.asarray(mesh.node_sets[face], dtype=np.int64)
     if face in mesh.faces:
         return mesh.face_nodes(face)
-    if face in mesh.node_sets:
-        return np.asarray(mesh.node_sets[face], dtype=np.int64)
     raise unknown(f"place of the equation '{equation}'", face, (*mesh.faces, *mesh.node_sets))
