@@ -95,6 +95,8 @@ def _take_pair(state: _Contact, keyword: Keyword) -> str:
     for name in (slave, master):
         if not len(nodes_of_surface(state.deck, name)):
             raise TurgorError(f"surface '{name}' is none of solid cells; rigid surfaces have no form here.")
+        if state.deck.surface(name) is None and not state.deck.is_face(nodes_of_surface(state.deck, name)):
+            raise TurgorError(f"'{name}' are single nodes; here walls meet, wherever they do, and no node alone.")
     if slave != master and not state.deck.apart and coinciding(state.deck, slave, master):
         raise TurgorError(
             f"nodes of '{slave}' lie at the place of nodes of '{master}', which a mesh file makes one; leave a gap."

@@ -151,6 +151,12 @@ class Deck:
             outer.append(sides[first[count == 1]])
         return outer
 
+    def is_face(self, nodes: Ints) -> bool:
+        """Whether whole outer sides of cells hold all of these corners."""
+        corners = np.intersect1d(nodes, self.corner_nodes)
+        covered = [sides[np.isin(sides, corners).all(axis=1)].ravel() for sides in self.outer_sides]
+        return bool(len(corners)) and bool(np.isin(corners, np.concatenate(covered)).all())
+
     @cached_property
     def _references(self) -> frozenset[int]:
         """Nodes of rigid bodies, which need no coordinates where they turn."""

@@ -167,7 +167,7 @@ def _check_twins(deck: Deck, account: Account) -> None:
     tied = np.concatenate([np.zeros(0, dtype=np.int64), *(nodes_of_surface(deck, name) for name in surfaces)])
     loose = [] if deck.apart else np.setdiff1d(deck.twins, tied)
     if len(loose):
-        keyword = next((each for each in (*ties, *deck.model) if each.name in ("tie", "element")))
+        keyword = next(each for each in (*ties, *deck.model) if each.name in ("tie", "element"))
         account.missing(
             keyword, f"{len(loose)} nodes lie at the place of others without a tie, and become one with them here."
         )

@@ -60,7 +60,7 @@ class Equation(Support):
         what = f"equation '{name(self.name, 'name of an equation', 'lever')}'"
         given: object = self.terms
         if isinstance(given, str) or not isinstance(given, Sequence) or len(given) < 2:
-            raise TurgorError(f"{what}: terms is {shown(given)}; at least two of (place, direction, factor) are needed.")
+            raise TurgorError(f"{what}: terms is {shown(given)}; two or more (place, direction, factor) are needed.")
         object.__setattr__(self, "terms", tuple(_term(each, what) for each in given))
 
     @property

@@ -131,7 +131,9 @@ def _fixed_motions(model: Model, supports: PrescribedComponents, group: tuple[Bo
         mask[each.node] |= np.array(each.point.stiffness) > 0
         mask[each.arrows] |= each.point.rotational_spring > 0
     # a rigid face moves along with its point; the nodes of a plane section or of equations may part
-    followers = np.unique(tied.followers[np.isin(tied.followers // 3, nodes) & (tied.leaders < 3 * len(model.mesh.points))])
+    followers = np.unique(
+        tied.followers[np.isin(tied.followers // 3, nodes) & (tied.leaders < 3 * len(model.mesh.points))]
+    )
     beds = [bed for body in group for bed in _beds(model, body)]
     count = mask.sum() + len(followers) + sum(each.bearing is not None for each in carriers) + len(beds)
     if not count:
