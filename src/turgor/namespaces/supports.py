@@ -20,5 +20,6 @@ if TYPE_CHECKING:
     from turgor.core.model.supports import Slide as Slide
     from turgor.core.model.supports import Support as Support
     from turgor.core.model.supports import Symmetry as Symmetry
+    from turgor.core.model.supports import Tied as Tied
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

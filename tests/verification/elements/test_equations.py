@@ -90,3 +90,31 @@ def test_a_lever_joins_two_bars(record_verification):
     assert np.ptp(top) < 1e-12
     assert state.displacement[mesh.face_nodes("z1_b"), 2] == pytest.approx(-top[0] / 2, abs=1e-12)
     assert force == pytest.approx(pull, rel=1e-9)
+
+
+def _two_blocks(fine: tuple[int, int, int]) -> tg.Mesh:
+    """Blocks of 1 × 1 × 1 on each other, the upper one of other cells."""
+    lower = meshes.box((1.0, 1.0, 1.0), (1, 1, 1), kind=HEXAHEDRON)
+    upper = meshes.box((1.0, 1.0, 1.0), fine, lambda points: points + [0, 0, 1.0], kind=HEXAHEDRON)
+    return tg.bodies.together({"lower": lower, "upper": upper})
+
+
+@pytest.mark.parametrize(("fine", "tolerance"), [((2, 2, 1), 1e-10), ((3, 2, 1), 2e-2)], ids=["nested", "not"])
+def test_tied_blocks_of_other_cells_are_one_body(fine, tolerance, record_verification):
+    mesh = _two_blocks(fine)
+    held = [tg.Fixed(f"{axis}0_{body}", axis) for axis in "xy" for body in ("lower", "upper")]
+    supports = [*held, tg.Fixed("z0_lower", "z"), tg.supports.Tied("z0_upper", "z1_lower")]
+    rubber = problems.rubber(problems.NEO_HOOKE)
+    load = tg.Traction("z1_upper", (0, 0, 0.8 * MU))
+    model = tg.Model(mesh, dict.fromkeys(mesh.regions, rubber), supports, [load])
+    state = problems.solve(model, tg.Static(tolerance=1e-12)).states[-1]
+    stretch = 1 + state.displacement[mesh.face_nodes("z1_upper"), 2] / 2
+    off = np.abs(MU * (stretch - stretch**-2) / (0.8 * MU) - 1).max()
+    record_verification(
+        f"Tied blocks of {fine[0]} × {fine[1]} sides on one: force of the stretch",
+        "uniaxial tension of one body",
+        "1",
+        f"1 ± {off:.1e}",
+        f"{tolerance:g}",
+    )
+    assert off < tolerance

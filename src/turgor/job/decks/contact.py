@@ -7,7 +7,7 @@ from turgor.core.meshing.exchange.formats.raw import numbers
 from turgor.foundation.errors import TurgorError
 from turgor.job.decks.account import Account
 from turgor.job.decks.deck import Deck, words_of
-from turgor.job.decks.parts import coinciding, nodes_of_surface
+from turgor.job.decks.parts import coinciding, nodes_of_surface, stays_apart
 from turgor.job.decks.units import DeckUnits
 from turgor.units import format_quantity
 
@@ -97,7 +97,7 @@ def _take_pair(state: _Contact, keyword: Keyword) -> str:
             raise TurgorError(f"surface '{name}' is none of solid cells; rigid surfaces have no form here.")
         if state.deck.surface(name) is None and not state.deck.is_face(nodes_of_surface(state.deck, name)):
             raise TurgorError(f"'{name}' are single nodes; here walls meet, wherever they do, and no node alone.")
-    if slave != master and not state.deck.apart and coinciding(state.deck, slave, master):
+    if slave != master and not stays_apart(state.deck) and coinciding(state.deck, slave, master):
         raise TurgorError(
             f"nodes of '{slave}' lie at the place of nodes of '{master}', which a mesh file makes one; leave a gap."
         )

@@ -113,11 +113,6 @@ class Deck:
         _, place, count = np.unique(points, axis=0, return_inverse=True, return_counts=True)
         return corners[count[place.ravel()] > 1]
 
-    @property
-    def apart(self) -> bool:
-        """Whether nodes at the same place stay two in its mesh file, since no tie makes them one."""
-        return bool(len(self.twins)) and not self.plane and not any(each.name == "tie" for each in self.model)
-
     @cached_property
     def node_sets(self) -> NumberSets:
         """Sets of nodes."""

@@ -10,6 +10,7 @@ from turgor.core.meshing.exchange.formats.abaqus import Keyword
 from turgor.core.meshing.exchange.formats.raw import numbers
 from turgor.core.model.layers import as_solid
 from turgor.core.model.sheets import Membrane, Sheet, Shell
+from turgor.core.model.supports import Tied
 from turgor.foundation.errors import TurgorError, near_match
 from turgor.job.decks.account import Account, listed
 from turgor.job.decks.deck import ROUND, STRAIN, STRESS, Deck, words_of
@@ -146,31 +147,48 @@ def plane_table(deck: Deck, units: DeckUnits, account: Account) -> dict[str, str
     return {"plane_strain": format_quantity(deck.thickness * units.length, "mm")}
 
 
-def check_ties(deck: Deck, account: Account) -> None:
-    """Say what became of ties: nodes at the same place become one, and other ties have no form."""
-    _check_twins(deck, account)
-    for keyword in deck.model:
-        if keyword.name != "tie":
-            continue
+def ties_of(deck: Deck, names: MeshNames, account: Account) -> tuple[Tied, ...]:
+    """Return the ties of surfaces; where all nodes of all ties coincide, a mesh file makes them one instead."""
+    ties: list[Tied] = []
+    merged = not stays_apart(deck)
+    if merged and len(loose := np.setdiff1d(deck.twins, _tied_nodes(deck))):
+        keyword = next(each for each in deck.model if each.name == "element")
+        account.missing(keyword, f"{len(loose)} nodes lie at the place of others, and become one with them here.")
+    for keyword in (each for each in deck.model if each.name == "tie"):
         for line in keyword.lines:
             surfaces = words_of(line)
-            if len(surfaces) < 2 or not _meet(deck, surfaces[0], surfaces[1]):
-                account.missing(keyword, "surfaces whose nodes do not coincide cannot be tied here; mesh them alike.")
-            else:
+            if merged and len(surfaces) > 1 and _meet(deck, surfaces[0], surfaces[1]):
                 account.taken(keyword, "nodes at the same place become one")
+                continue
+            try:
+                face, to = (_tied_face(deck, name) for name in surfaces[:2])
+                ties.append(Tied(names.loaded_surface("tied", face), names.named_surface("tied_to", to)))
+                account.taken(keyword, f"'{ties[-1].face}' tied to '{ties[-1].to}'")
+            except (TurgorError, ValueError) as error:
+                account.missing(keyword, str(error))
+    return tuple(ties)
 
 
-def _check_twins(deck: Deck, account: Account) -> None:
-    """Refuse nodes at one place that stay two in the deck, where others are tied or the model is plane."""
-    ties = [each for each in deck.model if each.name == "tie"]
-    surfaces = [name for each in ties for line in each.lines for name in words_of(line)]
-    tied = np.concatenate([np.zeros(0, dtype=np.int64), *(nodes_of_surface(deck, name) for name in surfaces)])
-    loose = [] if deck.apart else np.setdiff1d(deck.twins, tied)
-    if len(loose):
-        keyword = next(each for each in (*ties, *deck.model) if each.name in ("tie", "element"))
-        account.missing(
-            keyword, f"{len(loose)} nodes lie at the place of others without a tie, and become one with them here."
-        )
+def stays_apart(deck: Deck) -> bool:
+    """Return whether nodes at the same place stay two in a mesh file, because ties do not make all of them one."""
+    pairs = [words_of(line) for each in deck.model if each.name == "tie" for line in each.lines]
+    all_meet = all(len(pair) > 1 and _meet(deck, pair[0], pair[1]) for pair in pairs)
+    untied = np.setdiff1d(deck.twins, _tied_nodes(deck))
+    return bool(len(deck.twins)) and not deck.plane and (bool(len(untied)) or not all_meet)
+
+
+def _tied_nodes(deck: Deck) -> np.ndarray:
+    surfaces = [name for each in deck.model if each.name == "tie" for line in each.lines for name in words_of(line)]
+    return np.concatenate([np.zeros(0, dtype=np.int64), *(nodes_of_surface(deck, name) for name in surfaces)])
+
+
+def _tied_face(deck: Deck, name: str) -> tuple[tuple[int, str], ...]:
+    """Sides of a surface that may be tied."""
+    sides = deck.surface(name)
+    solid = set(deck.solid_numbers.tolist())
+    if not sides or deck.plane or any(side[0] not in solid for side in sides):
+        raise TurgorError(f"'{name}' is no surface of sides of solid cells, which a tie of other nodes needs here.")
+    return sides
 
 
 def nodes_of_surface(deck: Deck, name: str) -> np.ndarray:

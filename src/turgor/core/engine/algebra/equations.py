@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,13 +11,19 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.multipoint import MultiPoint
 from turgor.core.engine.algebra.settings import EQUATIONS
+from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.model import Model
+from turgor.core.model.supports import Support
 from turgor.foundation.errors import TurgorError
+from turgor.units import mm
 
 if TYPE_CHECKING:
     from turgor.core.engine.algebra.boundary import PrescribedComponents
 
 Row = dict[int, float]
+
+#: Nodes (k, m) and vectors (k, m, 3) of k equations.
+Equations = tuple[NDArray[np.int64], NDArray[np.float64]]
 
 
 def with_equations(prescribed: "PrescribedComponents", model: Model) -> "PrescribedComponents":
@@ -30,7 +37,7 @@ def with_equations(prescribed: "PrescribedComponents", model: Model) -> "Prescri
     TurgorError
         If everything in an equation is prescribed, and something in it moves.
     """
-    named = [(each.place, rows) for each in model.supports if (rows := each.equations(model.mesh)) is not None]
+    named = [(each.place, rows) for each in model.supports if (rows := _stated(each, model.mesh)) is not None]
     if not named:
         return prescribed
     size, count = prescribed.mask.size, 3 * len(model.mesh.points)
@@ -47,13 +54,38 @@ def with_equations(prescribed: "PrescribedComponents", model: Model) -> "Prescri
     return replace(prescribed, ties=_joined(prescribed.ties, followed, size))
 
 
+def _stated(support: Support, mesh: Mesh) -> Equations | None:
+    """Nodes and vectors of the equations of a support."""
+    return support.equations(mesh) if support.tied is None else _of_tie(mesh, *support.tied)
+
+
+@lru_cache(maxsize=8)  # checks and stages ask again
+def _of_tie(mesh: Mesh, face: str, other: str) -> Equations:
+    """Equations between the nodes of a face and those of the sides of another one on which they lie."""
+    from turgor.core.engine.faces.attached import on_face  # few models have ties, and this loads the search
+
+    own = np.setdiff1d(np.intersect1d(mesh.face_nodes(face), mesh.carrying_sides(face)), mesh.face_nodes(other))
+    nodes, shares, away = on_face(mesh, other, mesh.points[own])
+    near = away <= EQUATIONS.tied_within * float(np.ptp(mesh.points, axis=0).max())
+    if len(own) and not near.any():
+        raise TurgorError(
+            f"tie of '{face}': it lies {away.min() / mm:.3g} mm from '{other}'; they must touch, within "
+            f"{EQUATIONS.tied_within * 100:g} % of the size of the part."
+        )
+    own, nodes, shares = own[near], nodes[near], shares[near]
+    weights = np.concatenate([np.ones((len(own), 1)), -shares], axis=1)
+    vectors = np.einsum("km,ij->kimj", weights, np.eye(3)).reshape(3 * len(own), -1, 3)
+    return np.repeat(np.concatenate([own[:, None], nodes], axis=1), 3, axis=0), vectors
+
+
 def _rows(nodes: NDArray[np.int64], vectors: NDArray[np.float64], spread: sp.csr_matrix) -> Iterator[Row]:
     """Equations as factors of the components that do not follow."""
     count, width = nodes.shape
     columns = (3 * nodes[:, :, None] + np.arange(3)).ravel()
-    values = np.broadcast_to(vectors, (count, width, 3)).ravel()
-    stated = sp.csr_matrix((values, (np.repeat(np.arange(count), 3 * width), columns)), shape=(count, spread.shape[0]))
-    largest = np.abs(vectors).max()
+    stated = sp.csr_matrix(
+        (vectors.ravel(), (np.repeat(np.arange(count), 3 * width), columns)), shape=(count, spread.shape[0])
+    )
+    largest = np.abs(vectors).max(initial=0.0)
     reduced = (stated @ spread).tocsr()
     for start, end in zip(reduced.indptr[:-1], reduced.indptr[1:], strict=True):
         row = dict(zip(reduced.indices[start:end].tolist(), reduced.data[start:end].tolist(), strict=True))

@@ -12,3 +12,4 @@ from turgor.core.model.supports.roller import Roller as Roller
 from turgor.core.model.supports.slide import Slide as Slide
 from turgor.core.model.supports.support import Support as Support
 from turgor.core.model.supports.symmetry import Symmetry as Symmetry
+from turgor.core.model.supports.tied import Tied as Tied

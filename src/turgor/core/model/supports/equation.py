@@ -106,8 +106,8 @@ class Equation(Support):
                     f"'{name_of(self.terms[0][0])}' {len(first)}; 1 or as many are needed."
                 )
             columns.append(np.repeat(nodes, len(first)) if len(nodes) == 1 else self._paired(mesh, first, nodes))
-        vectors = [factor * np.array(along) for _, along, factor in self.terms]
-        return np.stack(columns, axis=1), np.array(vectors)
+        vectors = np.array([factor * np.array(along) for _, along, factor in self.terms])
+        return np.stack(columns, axis=1), np.broadcast_to(vectors, (len(first), *vectors.shape))
 
     def _paired(self, mesh: Mesh, first: Ints, nodes: Ints) -> Ints:
         """The node of another place for each node of the first one."""

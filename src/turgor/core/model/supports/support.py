@@ -81,6 +81,11 @@ class Support:
         return None
 
     @property
+    def tied(self) -> tuple[str, str] | None:
+        """Face whose nodes follow, and the one that they follow, where it is a tie; None of other supports."""
+        return None
+
+    @property
     def bedding(self) -> tuple[float, float]:
         """Stiffness per area of springs under its face, along the normal and across it [Pa/m]."""
         return 0.0, 0.0
@@ -130,7 +135,7 @@ class Support:
         -------
         nodes : (k, m) int array
             Nodes of each equation, one for each of its terms.
-        vectors : (m, 3) array
+        vectors : (k, m, 3) array
             The sum over the terms of the displacement times this vector is zero.
         """
         return None
