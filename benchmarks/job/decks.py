@@ -14,6 +14,7 @@ turgor at the same nodes and the ends of the same steps.
 import gzip
 import re
 import shutil
+import signal
 import subprocess
 import sys
 from collections import Counter
@@ -41,6 +42,9 @@ MOST_UNKNOWNS = 40_000
 #: Largest difference of displacements, over the largest displacement, that counts as agreement: cells differ.
 AGREE = 0.05
 
+#: Processor time after which a deck is given up [s].
+MOST_SECONDS = 200
+
 #: Displacement over the size of the part where a deck has small ones: their square is below what counts.
 SMALL = 1e-4
 
@@ -51,6 +55,7 @@ UNITS = ("mm, N, MPa", "m, N, Pa")
 def main(folder: Path, chosen: list[str]) -> None:
     """Print a row for each deck that is understood, and why the others are not."""
     rows, reasons = [], Counter[str]()
+    signal.signal(signal.SIGPROF, _too_long)
     for packed in sorted(folder.glob("*.inp*")):
         name = packed.name.split(".inp")[0]
         if (chosen and name not in chosen) or (
@@ -61,6 +66,7 @@ def main(folder: Path, chosen: list[str]) -> None:
             deck = Path(place) / f"{name}.inp"
             deck.write_bytes(_bytes(packed))
             reference = next(iter(folder.glob(f"{name}.dat.ref*")), None)
+            signal.setitimer(signal.ITIMER_PROF, MOST_SECONDS)
             try:
                 row = row_of(deck, "" if reference is None else _bytes(reference).decode(errors="replace"))
             except TurgorError as error:
@@ -69,10 +75,18 @@ def main(folder: Path, chosen: list[str]) -> None:
                 if chosen:
                     sys.stdout.write(f"{error}\n")
                 continue
+            except TimeoutError:
+                row = [name, "", "", "", "", f"{MOST_SECONDS}", "too long here"]
+            finally:
+                signal.setitimer(signal.ITIMER_PROF, 0)
         rows.append(row)
         sys.stderr.write(f"{row}\n")
     sys.stdout.write(table(["deck", "unknowns", "states", "difference", "same cells", "CPU s", "verdict"], rows))
     sys.stdout.write("\n\n" + table(["what a job lacks", "decks"], [[why, str(n)] for why, n in reasons.most_common()]))
+
+
+def _too_long(number: int, frame: object) -> None:
+    raise TimeoutError
 
 
 def row_of(deck: Path, reference: str) -> list[str]:
