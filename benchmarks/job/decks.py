@@ -164,7 +164,7 @@ def compared(solution: tg.Solution, deck: Path, reference: str, length: float) -
     shared = Counter(tuple(np.round(at, 9)) for at in place.values())  # no number tells two apart
     place = {node: at for node, at in place.items() if shared[tuple(np.round(at, 9))] == 1}
     mesh = solution.model.mesh
-    tree = cKDTree(mesh.points)
+    tree, near = cKDTree(mesh.points), 1e-3 if mesh.revolved else 1e-6  # rings lie a little outside their circles
     blocks = printed(reference)
     total = max((time for time, _ in blocks), default=0.0)
     states, worst = 0, 0.0
@@ -172,7 +172,7 @@ def compared(solution: tg.Solution, deck: Path, reference: str, length: float) -
         state = min(solution.states, key=lambda each: abs(each.load_factor - time / total))
         nodes = [node for node in values if node in place]
         away, rows = tree.query(length * np.array([place[node] for node in nodes]))
-        known = away < 1e-6 * np.ptp(mesh.points, axis=0).max()
+        known = away < near * np.ptp(mesh.points, axis=0).max()
         theirs = length * np.array([values[node] for node in nodes])[known]
         if abs(state.load_factor - time / total) > 1e-9 or not known.any():
             continue
