@@ -80,7 +80,8 @@ def _tied(bodies: Sequence[Body], supports: PrescribedComponents) -> tuple[tuple
     followers, leaders = supports.ties.followers // 3, supports.ties.leaders // 3
     groups: list[tuple[Body, ...]] = []
     for body in bodies:
-        apart, group = [], (body,)
+        apart: list[tuple[Body, ...]] = []
+        group: tuple[Body, ...] = (body,)
         for each in groups:
             other = np.concatenate([one.nodes for one in each])
             one, two = (np.isin(followers, body.nodes), np.isin(leaders, body.nodes))

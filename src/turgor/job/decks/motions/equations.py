@@ -69,7 +69,7 @@ def equations_of(path: Path, names: MeshNames, axes: NodeAxes, account: Account)
     return tuple(_equation(names, number, group) for number, group in enumerate(groups, start=1))
 
 
-def _stated(keyword: Keyword) -> Iterator[list[Sequence[str]]]:
+def _stated(keyword: Keyword) -> Iterator[list[list[str]]]:
     """Terms (node, degree of freedom, factor) of each equation of a keyword."""
     words = [word for line in keyword.lines for word in words_of(line)]
     while words:
