@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from turgor.core.model.points import ReferencePoint as ReferencePoint
     from turgor.core.model.points import Rotation as Rotation
     from turgor.core.model.supports import Displacement as Displacement
+    from turgor.core.model.supports import Equation as Equation
     from turgor.core.model.supports import Fixed as Fixed
     from turgor.core.model.supports import Foundation as Foundation
     from turgor.core.model.supports import PlaneSection as PlaneSection
@@ -19,5 +20,6 @@ if TYPE_CHECKING:
     from turgor.core.model.supports import Slide as Slide
     from turgor.core.model.supports import Support as Support
     from turgor.core.model.supports import Symmetry as Symmetry
+    from turgor.core.model.supports import Tied as Tied
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -28,7 +28,7 @@ def with_middles(prescribed: PrescribedComponents, mesh: Mesh) -> PrescribedComp
     is_middle = np.zeros(count, dtype=bool)
     is_middle[middles.followers] = True
     before = _without_turned_middles(prescribed, is_middle)
-    spread = _spread(before, middles, 3 * count)
+    spread = _spread(before, middles)
     own = np.repeat(is_middle, 3)
     own[before.ties.followers] = False
     rows = np.flatnonzero(own)
@@ -59,17 +59,10 @@ def _without_turned_middles(prescribed: PrescribedComponents, is_middle: NDArray
     )
 
 
-def _spread(prescribed: PrescribedComponents, middles: Middles, size: int) -> sp.csr_matrix:
+def _spread(prescribed: PrescribedComponents, middles: Middles) -> sp.csr_matrix:
     """Displacements of the middles along x, y and z from the components that do not follow."""
-    ties, frames = prescribed.ties, prescribed.frames
-    axes = np.broadcast_to(np.eye(3), (size // 3, 3, 3)).copy()
-    axes[frames.nodes] = frames.axes
-    turn = sp.bsr_matrix((axes.transpose(0, 2, 1), np.arange(size // 3), np.arange(size // 3 + 1)), shape=(size, size))
-    weights = sp.csr_matrix((middles.weights, (middles.followers, middles.leaders)), shape=(size // 3, size // 3))
-    free = np.setdiff1d(np.arange(size), ties.followers)
-    rows, columns = np.concatenate([free, ties.followers]), np.concatenate([free, ties.leaders])
-    values = np.concatenate([np.ones(len(free)), ties.weights])
-    chain = sp.csr_matrix((values, (rows, columns)), shape=(size, size))
-    out = (sp.kron(weights, sp.identity(3), format="csr") @ turn.tocsr() @ chain).tocsr()
+    count = len(prescribed.mask)
+    weights = sp.csr_matrix((middles.weights, (middles.followers, middles.leaders)), shape=(count, count))
+    out = (sp.kron(weights, sp.identity(3), format="csr") @ prescribed.spread()).tocsr()
     out.eliminate_zeros()
     return out

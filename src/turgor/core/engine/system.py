@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.additions import Addition
 from turgor.core.engine.algebra.boundary import prescribed_components
+from turgor.core.engine.algebra.equations import with_equations
 from turgor.core.engine.algebra.pattern import Pattern, build_pattern, locate, scatter_add
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.internal_variables import History, Memory, bonds_of, friction_of, joined_memory
@@ -90,7 +91,7 @@ class System:
         self.controlled = controlled
         self.length: float = _mean_edge(mesh) if like is None else like.length
         self.stress_scale: float = _stiffest(model, self.length) if like is None else like.stress_scale
-        supports = with_middles(prescribed_components(model), mesh)
+        supports = with_equations(with_middles(prescribed_components(model), mesh), model)
         self._supports, self._frames, self._ties = supports, supports.frames, supports.ties
         self.carriers = supports.carriers
         self.rest = with_carrier_points(mesh.points, self.carriers)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.core.engine.bonds.bond_term import BondTerm, bond_terms
+from turgor.core.engine.cells.centrifugal_term import centrifugal_terms
 from turgor.core.engine.cells.internal_variables import NOTHING
 from turgor.core.engine.faces.dead_loads import dead_terms
 from turgor.core.engine.faces.membrane_term import membrane_terms
@@ -35,6 +36,7 @@ TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     pressure_terms,
     thrust_terms,
     liquid_terms,
+    centrifugal_terms,
     membrane_terms,
     sheet_state_terms,
     plate_terms,

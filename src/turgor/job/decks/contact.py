@@ -7,7 +7,7 @@ from turgor.core.meshing.exchange.formats.raw import numbers
 from turgor.foundation.errors import TurgorError
 from turgor.job.decks.account import Account
 from turgor.job.decks.deck import Deck, words_of
-from turgor.job.decks.parts import coinciding, nodes_of_surface
+from turgor.job.decks.parts import coinciding, is_tied, nodes_of_surface, stays_apart
 from turgor.job.decks.units import DeckUnits
 from turgor.units import format_quantity
 
@@ -44,7 +44,7 @@ def contact_of(deck: Deck, units: DeckUnits, account: Account) -> dict[str, obje
     state = _Contact(deck, units)
     for keyword in deck.model:
         take = _TAKERS.get(keyword.name)
-        if take is None:
+        if take is None or (keyword.name == "contact pair" and is_tied(deck, keyword)):
             continue
         try:
             account.taken(keyword, take(state, keyword))
@@ -78,7 +78,7 @@ def _take_friction(state: _Contact, keyword: Keyword) -> str:
 def _take_behavior(state: _Contact, keyword: Keyword) -> str:
     kind = keyword.given.get("pressure-overclosure", "hard").lower()
     if kind == "tied":
-        raise TurgorError("contact that ties has no form here.")
+        return "a tie of the surfaces"
     if kind != "linear":
         return "penalty that turgor chooses from the material"
     slope = numbers(keyword.lines[0], keyword.path, "a penalty")[0] * state.units.stress / state.units.length
@@ -95,7 +95,9 @@ def _take_pair(state: _Contact, keyword: Keyword) -> str:
     for name in (slave, master):
         if not len(nodes_of_surface(state.deck, name)):
             raise TurgorError(f"surface '{name}' is none of solid cells; rigid surfaces have no form here.")
-    if slave != master and coinciding(state.deck, slave, master):
+        if state.deck.surface(name) is None and not state.deck.is_face(nodes_of_surface(state.deck, name)):
+            raise TurgorError(f"'{name}' are single nodes; here walls meet, wherever they do, and no node alone.")
+    if slave != master and not stays_apart(state.deck) and coinciding(state.deck, slave, master):
         raise TurgorError(
             f"nodes of '{slave}' lie at the place of nodes of '{master}', which a mesh file makes one; leave a gap."
         )

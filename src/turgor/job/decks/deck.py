@@ -106,6 +106,14 @@ class Deck:
         return np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *corners]))
 
     @cached_property
+    def twins(self) -> Ints:
+        """Corners of solid cells that lie at the place of another one."""
+        corners = self.corner_nodes
+        points = np.round([self.place[node] for node in corners.tolist()], 9)
+        _, place, count = np.unique(points, axis=0, return_inverse=True, return_counts=True)
+        return corners[count[place.ravel()] > 1]
+
+    @cached_property
     def node_sets(self) -> NumberSets:
         """Sets of nodes."""
         return NumberSets(self.content.node_sets, self.node_ids, "", [])
@@ -137,6 +145,12 @@ class Deck:
             _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
             outer.append(sides[first[count == 1]])
         return outer
+
+    def is_face(self, nodes: Ints) -> bool:
+        """Whether whole outer sides of cells hold all of these corners."""
+        corners = np.intersect1d(nodes, self.corner_nodes)
+        covered = [sides[np.isin(sides, corners).all(axis=1)].ravel() for sides in self.outer_sides]
+        return bool(len(corners)) and bool(np.isin(corners, np.concatenate(covered)).all())
 
     @cached_property
     def _references(self) -> frozenset[int]:

@@ -17,11 +17,12 @@ from turgor.job.decks.febio.reading import stated_units
 from turgor.job.decks.loads import loads_of
 from turgor.job.decks.materials import materials_of
 from turgor.job.decks.mirrors import take_mirrors
+from turgor.job.decks.motions.equations import equations_of
 from turgor.job.decks.motions.loose import has_loose_body
 from turgor.job.decks.motions.rigid import points_of
 from turgor.job.decks.motions.temperatures import initial_of, is_heated, temperatures_of
 from turgor.job.decks.names import MeshNames
-from turgor.job.decks.parts import check_ties, entries_of, plane_table
+from turgor.job.decks.parts import entries_of, plane_table, stays_apart, ties_of
 from turgor.job.decks.steps import Path as DeckPath
 from turgor.job.decks.steps import path_of
 from turgor.job.decks.supports import supports_of
@@ -136,18 +137,22 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
     if contact["self_contact"] and has_loose_body(way, axes):
         _stabilize(way, account)
     images = take_mirrors(way, names)
-    supports = supports_of(way, names, axes, scale, account)
+    supports = (
+        *supports_of(way, names, axes, scale, account),
+        *equations_of(way, names, axes, account),
+        *ties_of(deck, names, account),
+    )
     loads = (
         *loads_of(way, names, axes, scale, account, images),
         *temperatures_of(way, names, entries, account),
     )
     points = points_of(way, names, scale, account)
-    check_ties(deck, account)
     names.add_others()
     _account_rest(deck, account)
+    apart = {"merge": False} if stays_apart(deck) else {}
     content = {
         "name": file.stem,
-        "mesh": {"file": f"{file.stem}-mesh.inp", "unit": scale.word, **plane_table(deck, scale, account)},
+        "mesh": {"file": f"{file.stem}-mesh.inp", "unit": scale.word, **apart, **plane_table(deck, scale, account)},
         "materials": {name: material_table(entry) for name, entry in entries.items()},
         "supports": supports_table(supports),
         "points": points,

@@ -7,14 +7,14 @@ import numpy as np
 
 from turgor.core.geometry.directions import DIRECTIONS
 from turgor.core.model.history import History
-from turgor.core.model.loads import Force, Gravity, Load, Pressure, Traction
+from turgor.core.model.loads import Centrifugal, Force, Gravity, Load, Pressure, Traction
 from turgor.core.model.places import NodesAt
 from turgor.job.decks.account import Account
 from turgor.job.decks.deck import ROUND
 from turgor.job.decks.directions import NodeAxes
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.steps import Path
-from turgor.job.decks.tracks import FORCE, GRAVITY, PRESSURE, SAME, TRACTION
+from turgor.job.decks.tracks import FORCE, GRAVITY, PRESSURE, SAME, SPIN, TRACTION
 from turgor.job.decks.uniform import uniform_sides
 from turgor.job.decks.units import DeckUnits
 
@@ -49,6 +49,7 @@ def loads_of(
         *_pressures(path, names, units, account),
         *_tractions(path, names, units, account),
         *_gravities(path, units, account),
+        *_spins(path, units, account),
         *_forces(path, names, axes, whole, account),
     )
 
@@ -108,6 +109,20 @@ def _gravities(path: Path, units: DeckUnits, account: Account) -> Iterable[Load]
         elif size:
             acceleration = abs(size) * float(np.linalg.norm(vector)) * units.length
             yield Gravity(along, float(f"{acceleration:.12g}"), history)
+
+
+def _spins(path: Path, units: DeckUnits, account: Account) -> Iterable[Load]:
+    """A centrifugal force for each axis; the deck states the square of the speed."""
+    for target, track in path.tracks.of.items():
+        if not isinstance(target, tuple) or target[0] != SPIN:
+            continue
+        _, center, axis = target
+        size, history = track.history()
+        if size < 0 or len(axis) < 3 or not np.linalg.norm(axis):
+            account.missing(path.tracks.keywords[target], "CENTRIF needs a square of a speed, a point and a direction.")
+        elif size:
+            through = _rounded(units.length * np.array(center))
+            yield Centrifugal(speed=float(f"{size**0.5:.12g}"), axis=axis, through=through, history=history)
 
 
 def _forces(path: Path, names: MeshNames, axes: NodeAxes, units: DeckUnits, account: Account) -> Iterable[Load]:

@@ -133,9 +133,7 @@ class MeshNames:
 
     def is_face(self, nodes: Ints) -> bool:
         """Whether whole outer sides of cells hold all of these corners."""
-        corners = np.intersect1d(nodes, self.deck.corner_nodes)
-        covered = [sides[np.isin(sides, corners).all(axis=1)].ravel() for sides in self.deck.outer_sides]
-        return bool(len(corners)) and bool(np.isin(corners, np.concatenate(covered)).all())
+        return self.deck.is_face(nodes)
 
     def is_everything(self, nodes: Ints) -> bool:
         """Whether these are all nodes of solid cells."""

@@ -10,6 +10,7 @@ from turgor.core.meshing.exchange.formats.abaqus import Keyword
 from turgor.core.meshing.exchange.formats.raw import numbers
 from turgor.core.model.layers import as_solid
 from turgor.core.model.sheets import Membrane, Sheet, Shell
+from turgor.core.model.supports import Tied
 from turgor.foundation.errors import TurgorError, near_match
 from turgor.job.decks.account import Account, listed
 from turgor.job.decks.deck import ROUND, STRAIN, STRESS, Deck, words_of
@@ -146,17 +147,62 @@ def plane_table(deck: Deck, units: DeckUnits, account: Account) -> dict[str, str
     return {"plane_strain": format_quantity(deck.thickness * units.length, "mm")}
 
 
-def check_ties(deck: Deck, account: Account) -> None:
-    """Say what became of ties: nodes at the same place become one, and other ties have no form."""
-    for keyword in deck.model:
-        if keyword.name != "tie":
+def ties_of(deck: Deck, names: MeshNames, account: Account) -> tuple[Tied, ...]:
+    """Return the ties of surfaces; where all nodes of all ties coincide, a mesh file makes them one instead."""
+    ties: list[Tied] = []
+    merged = not stays_apart(deck)
+    if merged and len(loose := np.setdiff1d(deck.twins, _tied_nodes(deck))):
+        keyword = next(each for each in deck.model if each.name == "element")
+        account.missing(keyword, f"{len(loose)} nodes lie at the place of others, and become one with them here.")
+    for keyword, surfaces in _tied_pairs(deck):
+        if merged and len(surfaces) > 1 and _meet(deck, surfaces[0], surfaces[1]):
+            account.taken(keyword, "nodes at the same place become one")
             continue
-        for line in keyword.lines:
-            surfaces = words_of(line)
-            if len(surfaces) < 2 or not _meet(deck, surfaces[0], surfaces[1]):
-                account.missing(keyword, "surfaces whose nodes do not coincide cannot be tied here; mesh them alike.")
-            else:
-                account.taken(keyword, "nodes at the same place become one")
+        try:
+            face, to = (_tied_face(deck, name) for name in surfaces[:2])
+            ties.append(Tied(names.loaded_surface("tied", face), names.named_surface("tied_to", to)))
+            account.taken(keyword, f"'{ties[-1].face}' tied to '{ties[-1].to}'")
+        except (TurgorError, ValueError) as error:
+            account.missing(keyword, str(error))
+    return tuple(ties)
+
+
+def is_tied(deck: Deck, pair: Keyword) -> bool:
+    """Return whether the interaction of a contact pair ties its surfaces."""
+    name, last = pair.given.get("interaction", "").lower(), ""
+    for keyword in deck.model:
+        if keyword.name == "surface interaction":
+            last = keyword.given.get("name", "").lower()
+        elif keyword.name == "surface behavior" and last == name:
+            return keyword.given.get("pressure-overclosure", "").lower() == "tied"
+    return False
+
+
+def _tied_pairs(deck: Deck) -> list[tuple[Keyword, list[str]]]:
+    """Surfaces of ties, and of contact that ties."""
+    tying = (k for k in deck.model if k.name == "tie" or (k.name == "contact pair" and is_tied(deck, k)))
+    return [(keyword, words_of(line)) for keyword in tying for line in keyword.lines]
+
+
+def stays_apart(deck: Deck) -> bool:
+    """Return whether nodes at the same place stay two in a mesh file, because ties do not make all of them one."""
+    all_meet = all(len(pair) > 1 and _meet(deck, pair[0], pair[1]) for _, pair in _tied_pairs(deck))
+    untied = np.setdiff1d(deck.twins, _tied_nodes(deck))
+    return bool(len(deck.twins)) and not deck.plane and (bool(len(untied)) or not all_meet)
+
+
+def _tied_nodes(deck: Deck) -> np.ndarray:
+    surfaces = [name for _, pair in _tied_pairs(deck) for name in pair]
+    return np.concatenate([np.zeros(0, dtype=np.int64), *(nodes_of_surface(deck, name) for name in surfaces)])
+
+
+def _tied_face(deck: Deck, name: str) -> tuple[tuple[int, str], ...]:
+    """Sides of a surface that may be tied."""
+    sides = deck.surface(name)
+    solid = set(deck.solid_numbers.tolist())
+    if not sides or deck.plane or any(side[0] not in solid for side in sides):
+        raise TurgorError(f"'{name}' is no surface of sides of solid cells, which a tie of other nodes needs here.")
+    return sides
 
 
 def nodes_of_surface(deck: Deck, name: str) -> np.ndarray:

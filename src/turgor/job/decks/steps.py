@@ -1,6 +1,6 @@
 """Steps of a deck: their times, and what they prescribe."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
@@ -18,12 +18,14 @@ from turgor.job.decks.tracks import (
     HEAT,
     PRESSURE,
     SHIFT,
+    SPIN,
     TRACTION,
     Amplitude,
     Span,
     Tracks,
     amplitude_named,
     amplitudes_of,
+    mass_target,
 )
 
 #: Supports with a name instead of degrees of freedom.
@@ -219,24 +221,25 @@ def _take_forces(path: Path, keyword: Keyword) -> str:
 def _take_cell_loads(path: Path, keyword: Keyword) -> str:
     _check_load(path, keyword, PRESSURE, {"op", "amplitude"})
     amplitude = amplitude_named(keyword, path.amplitudes)
-    meanings = set()
+    meanings, whole = set(), dict[Hashable, set[int]]()
     for line in keyword.lines:
         where, label, *values = words_of(line)
         cells = path.deck.cells(where)
         if cells is None:
             raise unknown("set of cells", where, path.deck.content.cell_sets)
         label = label.upper()
-        if label == "GRAV":
-            if not np.isin(path.deck.solid_numbers, cells).all():
-                raise TurgorError("gravity on a part of the cells has no form here; it acts on all.")
-            direction = tuple(float(part) for part in (values[1:4] if len(values) > 3 else (0, 0, -1)))
-            path.tracks.state((GRAVITY, direction), float(values[0]), amplitude, keyword)
-            meanings.add("gravity")
+        if label in ("GRAV", "CENTRIF"):
+            target = mass_target(label, values)
+            path.tracks.state(target, float(values[0]), amplitude, keyword)
+            whole.setdefault((target, values[0]), set()).update(cells.tolist())
+            meanings.add("gravity" if label == "GRAV" else "centrifugal force")
         elif len(label) == 2 and label[0] == "P" and label[1].isdigit():
             path.tracks.state((PRESSURE, where, f"S{label[1]}"), float(values[0]), amplitude, keyword)
             meanings.add("pressure that follows the surface")
         else:
-            raise TurgorError(f"the load {label} has no form here; P1 to P6 and GRAV have one.")
+            raise TurgorError(f"the load {label} has no form here; P1 to P6, GRAV and CENTRIF have one.")
+    if any(not cells.issuperset(path.deck.solid_numbers.tolist()) for cells in whole.values()):
+        raise TurgorError("gravity or a centrifugal force on a part of the cells has no form here; it acts on all.")
     return " and ".join(sorted(meanings))
 
 
@@ -277,11 +280,11 @@ def _take_temperatures(path: Path, keyword: Keyword) -> str:
 
 def _check_load(path: Path, keyword: Keyword, kind: str, known: set[str]) -> None:
     """Refuse parameters that change what a load is, and end former loads where the keyword says so."""
-    others = set(keyword.given) - known
-    if others:
-        raise TurgorError(f"{', '.join(sorted(others)).upper()} has no form here.")
+    if strange := set(keyword.given) - known:
+        raise TurgorError(f"{', '.join(sorted(strange)).upper()} has no form here.")
     if keyword.given.get("op", "mod").lower() == "new":
-        for each in (kind, GRAVITY if keyword.name == "dload" else TRACTION) if kind == PRESSURE else (kind,):
+        others = (GRAVITY, SPIN) if keyword.name == "dload" else (TRACTION,)
+        for each in (kind, *others) if kind == PRESSURE else (kind,):
             path.tracks.end_all(each)
 
 

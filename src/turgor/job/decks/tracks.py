@@ -15,6 +15,7 @@ Points = tuple[tuple[float, float], ...]
 
 #: Kinds of targets: what stands first in their keys.
 FORCE, PRESSURE, GRAVITY, SHIFT, TRACTION, HEAT = "force", "pressure", "gravity", "shift", "traction", "heat"
+SPIN = "spin"
 
 #: Difference of shares, and of times as a share of a step, that is round-off of the digits of a deck.
 SAME = 1e-9
@@ -170,3 +171,11 @@ def amplitude_named(keyword: Keyword, amplitudes: Mapping[str, Amplitude]) -> Am
     if name.lower() not in amplitudes:
         raise unknown("amplitude", name, amplitudes)
     return amplitudes[name.lower()]
+
+
+def mass_target(label: str, values: Sequence[str]) -> Hashable:
+    """Return the target of gravity, or of a centrifugal force: what it states besides its size."""
+    parts = tuple(float(part or 0) for part in values[1:])
+    if label == "CENTRIF":
+        return SPIN, parts[:3], parts[3:6]
+    return GRAVITY, parts[:3] if len(parts) > 2 else (0.0, 0.0, -1.0)

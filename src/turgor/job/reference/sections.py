@@ -33,6 +33,7 @@ from turgor.job.tables.bodies.body_tables import BodyTable
 from turgor.job.tables.bonds import BondTable, read_bonds
 from turgor.job.tables.cad import CAD_FILE, CadFileTable, SelectorTable, SplitTable
 from turgor.job.tables.contact import ContactTable, read_contact
+from turgor.job.tables.equations import EquationTable, TermTable
 from turgor.job.tables.fibers import FibersTable, read_fibers
 from turgor.job.tables.loads import read_loads
 from turgor.job.tables.material_tables import LibraryTable, SourceTable, StatedTable, law_table
@@ -115,6 +116,8 @@ def section_tables(shape: Geometry | None = None) -> Iterator[JobTable]:
     yield _bonds(built)
     yield _supports()
     yield _of(SupportTable, "[supports.NAME]")
+    yield _of(EquationTable, "[supports.NAME], with terms")
+    yield _of(TermTable, "{ ... } of terms")
     yield from _loads(built)
     yield _points(built)
     yield from _contact(built)

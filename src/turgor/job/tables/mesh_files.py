@@ -78,6 +78,8 @@ class MeshFileTable(Table):
     mirror : list of str
         Normals of mirror planes through the origin after the move; the half at positive x, y or z is taken.
         Tetrahedra across a plane are cut there.
+    merge : bool
+        Whether nodes at the same place become one. With false bodies that touch stay apart, with contact between them.
     plane_strain : length
         Thickness of the part whose section is the plane mesh of the file.
     axisymmetric : str
@@ -98,6 +100,7 @@ class MeshFileTable(Table):
     turn: dict[str, Angle] | None = Field(default=None, examples=['{ z = "90 deg" }'])
     move: Lengths | None = Field(default=None, examples=['["5 mm", 0, 0]'])
     mirror: list[str] = Field(default_factory=list, examples=['["y"]'])
+    merge: bool = True
     plane_strain: Length | None = Field(default=None, examples=['"10 mm"'])
     axisymmetric: str | None = Field(default=None, examples=['"y"'])
     sha256: str = ""
@@ -148,6 +151,7 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems, key: Key = ("a
             turn=_turn(table.turn),
             move=table.move,
             mirror=tuple(table.mirror),
+            merge=table.merge,
             plane=_plane(table),
             sha256=table.sha256,
         ),
@@ -202,6 +206,8 @@ def mesh_file_table(actuator: MeshFile) -> dict[str, Any]:
         values["move"] = [format_quantity(part, "mm") for part in actuator.move]
     if actuator.mirror:
         values["mirror"] = list(actuator.mirror)
+    if not actuator.merge:
+        values["merge"] = False
     match actuator.plane:
         case PlaneStrain(thickness=thickness):
             values["plane_strain"] = format_quantity(thickness, "mm")

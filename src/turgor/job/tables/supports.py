@@ -14,9 +14,10 @@ from pydantic import BeforeValidator, Field
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.model.history import RAMP
 from turgor.core.model.places import NodesAt
-from turgor.core.model.supports import Displacement, Fixed, Foundation, Roller, Shift, Slide, Support
+from turgor.core.model.supports import Displacement, Fixed, Foundation, Roller, Shift, Slide, Support, Tied
 from turgor.foundation.registry import Registry, class_of_file
 from turgor.foundation.round_off import ROUND_OFF
+from turgor.job.tables.equations import read_equation
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.text.body_names import by_body
 from turgor.job.text.lines import Key
@@ -49,6 +50,8 @@ class SupportTable(PlaceTable):
         Stiffness per area of springs on which the face is bedded, along its normal.
     tangential_stiffness : float [Pa/m]
         The same across the normal.
+    tied_to : str
+        Face on which it lies and which its nodes follow; the cells of both may be others.
     """
 
     displacement: Lengths | None = Field(default=None, examples=['[0, 0, "5 mm"]'])
@@ -56,6 +59,7 @@ class SupportTable(PlaceTable):
     directions: Annotated[str | list[float], Says("text or three numbers", '"xz"')] = "xyz"
     normal_stiffness: Bedding | None = None
     tangential_stiffness: Bedding | None = None
+    tied_to: str | None = Field(default=None, examples=['"block_top"'])
 
 
 #: Supports by the name of their file: the classes in their folder.
@@ -87,7 +91,8 @@ def read_supports(values: Any, geometry: Geometry | None, problems: Problems) ->
     for face, stated in values.items():
         key = ("supports", face)
         if isinstance(stated, Mapping):
-            support = _of_table(face, stated, geometry, problems)
+            reads = read_equation if "terms" in stated else _of_table
+            support = reads(face, stated, geometry, problems)
             supports += [] if support is None else [support]
         elif lacks_faces(face_or_set(face, geometry), key, geometry, problems):
             continue
@@ -113,6 +118,8 @@ def _of_table(name: str, stated: Mapping[str, Any], geometry: Geometry | None, p
     face = None if table is None else problems.attempt(key, partial(table.face_of, name, geometry), fields=PLACES)
     if table is None or face is None or lacks_faces(face, key, geometry, problems):
         return None
+    if table.tied_to is not None:
+        return _tie(face, table, geometry, key, problems)
     if table.normal_stiffness is not None or table.tangential_stiffness is not None:
         return _foundation(face, table, key, problems)
     if not isinstance(table.directions, str):
@@ -156,6 +163,21 @@ def _along(face: str | NodesAt, table: SupportTable, key: Key, problems: Problem
         )
         return None
     return replace(slide, distance=distance)
+
+
+def _tie(
+    face: str | NodesAt, table: SupportTable, geometry: Geometry | None, key: Key, problems: Problems
+) -> Support | None:
+    """Read a face that follows another one."""
+    others = sorted(table.model_fields_set - {"tied_to"})
+    if not isinstance(face, str) or others or table.tied_to is None:
+        problems.add(
+            key, f"a tie is one of a whole face; leave out {', '.join(others)}, or state them for other faces."
+        )
+        return None
+    if lacks_faces(table.tied_to, (*key, "tied_to"), geometry, problems):
+        return None
+    return problems.attempt(key, partial(Tied, face, table.tied_to))
 
 
 def _foundation(face: str | NodesAt, table: SupportTable, key: Key, problems: Problems) -> Support | None:

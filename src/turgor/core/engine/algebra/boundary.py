@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
+import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.cyclic import CyclicPairs
@@ -75,6 +76,14 @@ class PrescribedComponents:
         nodes = self.frames.nodes[along != 0]
         out[nodes, 0] = -moved[along != 0] / along[along != 0]
         return out
+
+    def spread(self) -> sp.csr_matrix:
+        """Displacements along x, y and z of all nodes, one row each, from the components that do not follow."""
+        count, size = len(self.mask), self.mask.size
+        axes = np.broadcast_to(np.eye(3), (count, 3, 3)).copy()
+        axes[self.frames.nodes] = self.frames.axes
+        turn = sp.bsr_matrix((axes.transpose(0, 2, 1), np.arange(count), np.arange(count + 1)), shape=(size, size))
+        return (turn.tocsr() @ self.ties.spread(size)).tocsr()
 
 
 def prescribed_components(model: Model) -> PrescribedComponents:

@@ -57,10 +57,10 @@ class MultiPoint:
         """Rows and columns of the followers added to those of their leaders."""
         if not len(self.followers):
             return matrix
-        spread = self._spread(matrix.shape[0])
+        spread = self.spread(matrix.shape[0])
         return (spread.T @ matrix @ spread).tocsc()
 
-    def _spread(self, size: int) -> sp.csr_matrix:
+    def spread(self, size: int) -> sp.csr_matrix:
         """All unknowns (size, size) from those that do not follow."""
         free = np.setdiff1d(np.arange(size), self.followers)
         rows, columns = np.concatenate([free, self.followers]), np.concatenate([free, self.leaders])
@@ -96,7 +96,7 @@ class MultiPoint:
 
         An entry off the diagonal stands for its mirror image too: each pair of leaders has it once, one leader twice.
         """
-        spread = self._spread(pattern.size)
+        spread = self.spread(pattern.size)
         follows = np.zeros(pattern.size, dtype=bool)
         follows[self.followers] = True
         columns = np.repeat(np.arange(pattern.size), np.diff(pattern.indptr))

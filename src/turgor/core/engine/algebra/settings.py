@@ -76,3 +76,24 @@ class IterativeSolverSettings:
 
 
 ITERATIVE_SOLVER = IterativeSolverSettings()
+
+
+@dataclass(frozen=True, slots=True)
+class EquationSettings:
+    """Settings of linear equations between displacements.
+
+    Parameters
+    ----------
+    round_off : float
+        Factors below this share of the largest in their equation count as zero. Directions of nodes have errors of
+        1e-16, files have 9 digits at least where they state directions.
+    tied_within : float
+        A node this near to a face that it is tied to lies on it, as a share of the size of the part: what a gap keeps
+        its direction for is no more than that.
+    """
+
+    round_off: float = 1e-9
+    tied_within: float = 0.005
+
+
+EQUATIONS = EquationSettings()

@@ -92,8 +92,9 @@ def build_parts(
         if model.contact.obstacles:
             raise TurgorError("contact needs tetrahedra or 27-node hexahedra; this mesh has 20-node hexahedra.")
         return []
-    bonded = [face for faces in mesh.parted for face in faces]
-    mirrors = of_face(mesh, surface, *mesh.cut_faces, *bonded)  # bonds bear what presses their sides together
+    ties = [each.tied for each in model.supports if each.tied is not None]
+    bonded = [face for faces in (*mesh.parted, *ties) for face in faces]
+    mirrors = of_face(mesh, surface, *mesh.cut_faces, *bonded)  # ties and bonds bear what presses sides together
     cavities = of_face(mesh, surface, *mesh.cavities)
     films = surface.outward is not None
     outer = ~mirrors & (surface.outward if surface.outward is not None else ~cavities & ~_pinhole(mesh, surface))

@@ -98,6 +98,34 @@ def attach(mesh: Mesh, point: Point, planes: Sequence[tuple[int, float]]) -> Att
     return Attached(surface.sides[side], place_on, frame @ (modeled - foot), mirrored, mirrors)
 
 
+def on_face(mesh: Mesh, face: str, points: Array) -> tuple[NDArray[np.int64], Array, Array]:
+    """Find the place on a face that is nearest to each point.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    face : str
+    points : (p, 3) array [m]
+
+    Returns
+    -------
+    nodes : (p, k) int array
+        Nodes of the side.
+    shares : (p, k) array
+        Its shape functions there.
+    away : (p,) array [m]
+        Distance of the point.
+    """
+    surface = _sampled(mesh, mesh.carrying_sides(face))
+    places = [_nearest(surface, point) for point in points]
+    feet = [Attached(surface.sides[side], at, np.zeros(3), np.ones(3), np.zeros(3)) for _, side, at in places]
+    return (
+        np.array([each.nodes for each in feet]),
+        np.array([each.shares for each in feet]),
+        np.array([away for away, _, _ in places]),
+    )
+
+
 def _in_sector(mesh: Mesh, wedge: Wedge, point: Array) -> Attached:
     """The nearest place of all sectors, as that of the modeled one and the turn that leads to it.
 
@@ -134,12 +162,16 @@ class _Surface:
 @lru_cache(maxsize=4)  # a job may have thousands of markers
 def _surface(mesh: Mesh) -> _Surface:
     """The sides of a mesh, of a wedge those that do not lie inside the whole."""
-    from scipy.spatial import cKDTree  # slow to load, and few models have points on sides
-
     sides = outer_triangles(mesh)
     if mesh.wedge is not None:
         for name in mesh.cut_faces:
             sides = sides[~np.isin(sides, mesh.face_nodes(name)).all(axis=1)]
+    return _sampled(mesh, sides)
+
+
+def _sampled(mesh: Mesh, sides: NDArray[np.int64]) -> _Surface:
+    from scipy.spatial import cKDTree  # slow to load, and few models have points on sides
+
     corners = _corners(mesh.points, sides)
     places = _places(corners.shape[1])
     weights = np.array([_shape_functions(corners.shape[1], at) for at in places])

@@ -90,7 +90,7 @@ class ScaledNodalForces:
     def per_mass(self, value: Callable[[Array], Array]) -> Array:
         """Forces of ``value(points) -> (n, 3) acceleration [m/s²]`` of all regions and sheets."""
         model = self.setting.model
-        density = np.repeat(_density(model), self.setting.dV.shape[1])[:, None]
+        density = np.repeat(cell_density(model), self.setting.dV.shape[1])[:, None]
         forces = self.per_volume(lambda points: density * np.asarray(value(points)))
         for name, mass in model.sheet_masses.items():
             sides = self._sides(name)
@@ -101,7 +101,7 @@ class ScaledNodalForces:
 
     def of_weight(self, acceleration: ArrayLike) -> Array:
         """Forces of one acceleration (3,) [m/s²] of all regions, sheets and reference points."""
-        per_cell = _density(self.setting.model)[:, None, None] * np.asarray(acceleration)
+        per_cell = cell_density(self.setting.model)[:, None, None] * np.asarray(acceleration)
         forces = self._in_cells(np.broadcast_to(per_cell, (*self.setting.dV.shape, 3)))
         for name, mass in self.setting.model.sheet_masses.items():
             forces += self.on_face(name, mass * np.asarray(acceleration))
@@ -150,7 +150,8 @@ class ScaledNodalForces:
         return _sum_at_nodes(sides, local, len(points))
 
 
-def _density(model: Model) -> Array:
+def cell_density(model: Model) -> Array:
+    """Density of each cell, (c,) [kg/m³]."""
     density = np.empty(len(model.mesh.cells))
     for name, material in model.region_materials.items():
         density[model.mesh.regions[name]] = material.density

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from hashlib import sha256
 from math import pi, sin
 from pathlib import Path
@@ -74,6 +75,8 @@ class MeshFile:
         How far it is moved, after the turn.
     mirror : tuple of str
         Normals of mirror planes through the origin, after the move: the half at positive x, y or z is taken.
+    merge : bool
+        Whether nodes at the same place become one, as for `read_mesh`.
     plane : PlaneStrain or Axisymmetric, optional
         What a plane mesh stands for; None for a volume mesh.
     sha256 : str
@@ -100,6 +103,7 @@ class MeshFile:
     turn: tuple[str, float] | None = None
     move: Corner | None = None
     mirror: tuple[str, ...] = ()
+    merge: bool = True
     plane: PlaneState | None = None
     sha256: str = ""
 
@@ -107,6 +111,8 @@ class MeshFile:
         without = [name for name in ("cavities", "turn", "mirror") if self.plane is not None and getattr(self, name)]
         if without:
             raise TurgorError(f"{without[0]} is for volume meshes; a plane mesh is cut where its file is made.")
+        if not self.merge and (self.plane is not None or Path(self.file).suffix.lower() == ".stl"):
+            raise TurgorError("merge = false is for files of volume meshes; nodes of others are merged.")
         if not Path(self.file).is_file():
             raise TurgorError(f"file is {self.file}, and there is no such file.")
         checksum = sha256(Path(self.file).read_bytes()).hexdigest()
@@ -144,7 +150,7 @@ class MeshFile:
                 self.file, self.plane, unit=self.unit, regions=self.regions, faces=self.faces, axes=self.axes
             )
         surface = Path(self.file).suffix.lower() == ".stl"
-        reader: Callable[..., Mesh] = mesh_surfaces if surface else read_mesh
+        reader: Callable[..., Mesh] = mesh_surfaces if surface else partial(read_mesh, merge=self.merge)
         return reader(
             self.file,
             unit=self.unit,
@@ -162,7 +168,9 @@ class MeshFile:
 
         raw, frame = read_in(Path(self.file), self.unit, self.axes)
         raw, _ = as_tetrahedra(raw)
-        wishes = Wishes(regions=self.regions, faces=self.faces, cavities=self.cavities, frame=frame)
+        wishes = Wishes(
+            regions=self.regions, faces=self.faces, cavities=self.cavities, frame=frame, merge=self.merge
+        )
         mesh = named_mesh(raw, wishes)
         finding = Finding(
             code="G27",

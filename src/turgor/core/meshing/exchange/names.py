@@ -31,12 +31,15 @@ class Wishes:
         Names of cavities with the STL files of their surfaces.
     frame : Frame
         Unit and axes of all files.
+    merge : bool
+        Whether nodes at the same place become one.
     """
 
     regions: Mapping[str, Choice] = field(default_factory=dict)
     faces: Mapping[str, Choice] = field(default_factory=dict)
     cavities: Mapping[str, str | Path] = field(default_factory=dict)
     frame: Frame = field(default_factory=Frame)
+    merge: bool = True
 
 
 def name_regions(raw: RawMesh, solids: Solids, wishes: Wishes) -> tuple[dict[str, Ints], list[Finding]]:

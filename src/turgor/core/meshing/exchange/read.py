@@ -48,6 +48,7 @@ def read_mesh(
     faces: Mapping[str, Choice] | None = None,
     cavities: Mapping[str, str | Path] | None = None,
     axes: FileAxes = ("x", "y", "z"),
+    merge: bool = True,
 ) -> Mesh:
     """Read a volume mesh: gmsh ``.msh`` (2.2, 4.1), Abaqus or CalculiX ``.inp``, VTK ``.vtk`` or ``.vtu``.
 
@@ -75,6 +76,9 @@ def read_mesh(
     axes : tuple of three str or (3,) floats
         Directions in the file of our x (from the fixed end to the tip), y (across) and z (up), such as
         ``("-x", "z", "y")``; boxes, planes and directions above are in our axes.
+    merge : bool
+        Whether nodes at the same place become one. Without that bodies that touch stay apart, with contact between
+        them.
 
     Returns
     -------
@@ -87,7 +91,8 @@ def read_mesh(
     """
     file = Path(path)
     raw, frame = read_in(file, unit, axes)
-    mesh = named_mesh(raw, Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame))
+    named = Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame, merge=merge)
+    mesh = named_mesh(raw, named)
     return with_unit_checked(mesh, file, stated=bool(unit or raw.unit))
 
 
@@ -123,7 +128,7 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
     if needs_tetrahedra(raw):
         raw, what = as_tetrahedra(raw)
         done = [what]
-    solids = read_solids(raw, wishes.frame)
+    solids = read_solids(raw, wishes.frame, wishes.merge)
     solids.done[:0] = done
     sides = sides_of(solids)
     if raw.revolved:

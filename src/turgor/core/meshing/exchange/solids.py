@@ -56,7 +56,7 @@ class Solids:
         return TETRAHEDRON if self.cells.shape[1] in (4, 10) else HEXAHEDRON
 
 
-def read_solids(raw: RawMesh, frame: Frame) -> Solids:
+def read_solids(raw: RawMesh, frame: Frame, merge: bool = True) -> Solids:
     """Take the solid cells of a file and make them cells that can be solved on.
 
     Parameters
@@ -64,6 +64,8 @@ def read_solids(raw: RawMesh, frame: Frame) -> Solids:
     raw : RawMesh
     frame : Frame
         Unit and axes of the file.
+    merge : bool
+        Whether nodes at the same place become one.
 
     Returns
     -------
@@ -75,7 +77,7 @@ def read_solids(raw: RawMesh, frame: Frame) -> Solids:
         If there are none, or cells are turned inside out.
     """
     solids = _gathered(raw, frame)
-    _merge_nodes(solids, raw)
+    _merge_nodes(solids, raw, merge)
     _drop_repeated(solids)  # with merged nodes, so that cells at one place are known as such
     _raise_order(solids)
     _turn(solids, raw)
@@ -122,8 +124,8 @@ def _drop_repeated(solids: Solids) -> None:
     solids.cells = solids.cells[order]
 
 
-def _merge_nodes(solids: Solids, raw: RawMesh) -> None:
-    """Make nodes at the same place one, and leave out those of no solid cell."""
+def _merge_nodes(solids: Solids, raw: RawMesh, merge: bool) -> None:
+    """Make nodes at the same place one where that is requested, and leave out those of no solid cell."""
     from scipy.spatial import cKDTree  # slow to load, and every job loads this file
 
     kind = solids.kind
@@ -134,11 +136,10 @@ def _merge_nodes(solids: Solids, raw: RawMesh) -> None:
         at = place_of(corners[length.min(axis=1) <= 0][0])
         raise TurgorError(f"'{raw.path}': a cell around {at} has two corners at one place.")
     used = np.unique(solids.cells)
-    tree = cKDTree(solids.points[used])
+    same = MESH_FILE.same_node * float(length.min())
+    pairs = cKDTree(solids.points[used]).query_pairs(same, output_type="ndarray").tolist() if merge else []
     number = np.arange(len(solids.points))
-    for a, b in sorted(
-        map(tuple, tree.query_pairs(MESH_FILE.same_node * float(length.min()), output_type="ndarray").tolist())
-    ):
+    for a, b in sorted(map(tuple, pairs)):
         number[used[b]] = number[used[a]]
     unique = np.unique(number[used])
     if len(unique) < len(used):

@@ -1,4 +1,4 @@
-"""Directions that are not x, y or z in .inp files: a linear equation for each node that a support holds along one."""
+"""Linear equations in .inp files: those of a model, and one for each node that a support holds along a direction."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,7 @@ NO_TERM = 1e-9
 
 
 def equation_lines(model: Model) -> tuple[list[str], list[str]]:
-    """Write the supports along normals, such as `Radial` and `Roller`.
+    """Write the linear equations of a model, and the supports along normals, such as `Radial` and `Roller`.
 
     Returns
     -------
@@ -29,7 +29,7 @@ def equation_lines(model: Model) -> tuple[list[str], list[str]]:
         nodes, normals = support.normals(mesh) or (np.zeros(0, dtype=np.int64), np.zeros((0, 3)))
         for node, normal in zip(nodes.tolist(), normals, strict=True):
             directions.setdefault(node, []).append(np.where(fixed[node], 0.0, normal))
-    equations, rows = list[str](), list[str]()
+    equations, rows = _stated_lines(model, fixed), list[str]()
     for node in sorted(set(directions) & set(mesh.cells[:, :20].ravel().tolist())):  # no middles of sides in files
         for terms in _reduced(np.array(directions[node])):
             if len(terms) == 1:
@@ -38,6 +38,28 @@ def equation_lines(model: Model) -> tuple[list[str], list[str]]:
                 said = ", ".join(f"{node + 1}, {axis + 1}, {value:.12g}" for axis, value in terms)
                 equations += ["*EQUATION", str(len(terms)), said]
     return equations, rows
+
+
+def _stated_lines(model: Model, fixed: NDArray[np.bool_]) -> list[str]:
+    """Keywords and data of the `Equation` supports; what is fixed is zero and no term."""
+    written = np.zeros(len(fixed), dtype=bool)
+    written[model.mesh.cells[:, :20]] = True
+    lines, dependent = list[str](), set[tuple[int, int]]()
+    for nodes, vectors in (each for support in model.supports if (each := support.equations(model.mesh)) is not None):
+        for row, parts in zip(nodes, vectors, strict=True):
+            terms: dict[tuple[int, int], float] = {}
+            for node, vector in zip(row.tolist(), parts, strict=True):
+                for axis in np.flatnonzero(np.abs(vector) > NO_TERM).tolist():
+                    terms[node, axis] = terms.get((node, axis), 0.0) + float(vector[axis])
+            terms = {place: value for place, value in terms.items() if value and not fixed[place]}
+            first = next((place for place in terms if place not in dependent), None)
+            if not written[row].all() or first is None:  # middles of sides, and what follows from others
+                continue
+            dependent.add(first)
+            ordered = [first, *(place for place in terms if place != first)]
+            lines += ["*EQUATION", str(len(ordered))]
+            lines += [f"{node + 1}, {axis + 1}, {terms[node, axis]:.12g}" for node, axis in ordered]
+    return lines
 
 
 def _reduced(directions: NDArray[np.float64]) -> list[list[tuple[int, float]]]:

@@ -5,6 +5,7 @@ from a load.
 """
 
 from turgor.core.model.loads.body_force import BodyForce as BodyForce
+from turgor.core.model.loads.centrifugal import Centrifugal as Centrifugal
 from turgor.core.model.loads.channel import Channel as Channel
 from turgor.core.model.loads.force import Force as Force
 from turgor.core.model.loads.gravity import STANDARD_GRAVITY as STANDARD_GRAVITY

@@ -298,6 +298,11 @@ class Load:
         return None
 
     @property
+    def spinning(self) -> Any:
+        """The load, if it is a centrifugal force; None of other loads."""
+        return None
+
+    @property
     def strips(self) -> Any:
         """The load, if it is the liquid around a slender body in motion; None of other loads."""
         return None

@@ -81,6 +81,11 @@ class Support:
         return None
 
     @property
+    def tied(self) -> tuple[str, str] | None:
+        """Face whose nodes follow, and the one that they follow, where it is a tie; None of other supports."""
+        return None
+
+    @property
     def bedding(self) -> tuple[float, float]:
         """Stiffness per area of springs under its face, along the normal and across it [Pa/m]."""
         return 0.0, 0.0
@@ -121,6 +126,18 @@ class Support:
 
     def normals(self, mesh: Mesh) -> tuple[Ints, Array] | None:
         """Return nodes (k,) and the unit vectors (k, 3) along which they do not move; None where there are none."""
+        return None
+
+    def equations(self, mesh: Mesh) -> tuple[Ints, Array] | None:
+        """Return linear equations between displacements; None where there are none.
+
+        Returns
+        -------
+        nodes : (k, m) int array
+            Nodes of each equation, one for each of its terms.
+        vectors : (k, m, 3) array
+            The sum over the terms of the displacement times this vector is zero.
+        """
         return None
 
     def section_axis(self, mesh: Mesh) -> int | None:

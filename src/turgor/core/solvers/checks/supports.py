@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.boundary import PrescribedComponents, prescribed_components
+from turgor.core.engine.algebra.equations import with_equations
 from turgor.core.engine.points.bearing_term import stopped
 from turgor.core.engine.points.point_unknowns import Carrier, with_carrier_points
 from turgor.core.meshing.bodies.bodies import Body, find_bodies
@@ -27,28 +28,35 @@ def check_supports(model: Model, inertia: bool = False) -> None:
 
     With ``inertia`` rigid motions may be free: a body that flies has an acceleration, if no equilibrium.
     """
-    supports = prescribed_components(model)
+    supports = with_equations(prescribed_components(model), model)
     surface = np.unique(outer_triangles(model.mesh))
     bodies = joined(find_bodies(model.mesh), supports.carriers)
-    for body in bodies:
-        free = 0 if inertia else 6 - _fixed_motions(model, supports, body)
+    for group in _tied(bodies, supports):
+        free = 0 if inertia else 6 * len(group) - _fixed_motions(model, supports, group)
         if free and len(bodies) == 1:
             raise CheckError(
-                f"the supports leave {free} of 6 rigid motions free (B01); fix a face, {_faces_to_hold(body)}."
+                f"the supports leave {free} of 6 rigid motions free (B01); fix a face, {_faces_to_hold(group[0])}."
                 f"{_contact_does_not_hold(model, 1)}"
             )
         if free:
+            named, several = " and ".join(map(_named, group)), len(group) > 1
             raise CheckError(
-                f"the supports leave {free} of 6 rigid motions of the body {_named(body)} free (B01); "
-                f"fix one of its faces, {_faces_to_hold(body)}.{_contact_does_not_hold(model, len(bodies))}"
+                f"the supports leave {free} of {6 * len(group)} rigid motions of the bod{'ies' if several else 'y'} "
+                f"{named} free (B01); fix one of {'their' if several else 'its'} faces, {_faces_to_hold(group[0])}."
+                f"{_contact_does_not_hold(model, len(bodies))}"
             )
-        materials = [model.region_materials[name] for name in body.regions]
-        whole = supports.mask[np.intersect1d(surface, body.nodes)].all()
-        if whole and all(material.incompressible for material in materials):
-            raise CheckError(
-                "the supports prescribe the whole surface of an incompressible body (B01), which leaves its mean "
-                "stress undetermined; leave a direction of one face free or give the material a bulk_modulus."
-            )
+        for body in group:
+            _check_mean_stress(model, supports, body, surface)
+
+
+def _check_mean_stress(model: Model, supports: PrescribedComponents, body: Body, surface: NDArray[np.int64]) -> None:
+    materials = [model.region_materials[name] for name in body.regions]
+    whole = supports.mask[np.intersect1d(surface, body.nodes)].all()
+    if whole and all(material.incompressible for material in materials):
+        raise CheckError(
+            "the supports prescribe the whole surface of an incompressible body (B01), which leaves its mean "
+            "stress undetermined; leave a direction of one face free or give the material a bulk_modulus."
+        )
 
 
 def free_motions(model: Model) -> int:
@@ -62,9 +70,27 @@ def free_motions(model: Model) -> int:
     -------
     int
     """
-    supports = prescribed_components(model)
-    bodies = joined(find_bodies(model.mesh), supports.carriers)
-    return sum(6 - _fixed_motions(model, supports, body) for body in bodies)
+    supports = with_equations(prescribed_components(model), model)
+    groups = _tied(joined(find_bodies(model.mesh), supports.carriers), supports)
+    return sum(6 * len(group) - _fixed_motions(model, supports, group) for group in groups)
+
+
+def _tied(bodies: Sequence[Body], supports: PrescribedComponents) -> tuple[tuple[Body, ...], ...]:
+    """Bodies in groups, with those together whose nodes follow each other; they may still move apart otherwise."""
+    followers, leaders = supports.ties.followers // 3, supports.ties.leaders // 3
+    groups: list[tuple[Body, ...]] = []
+    for body in bodies:
+        apart: list[tuple[Body, ...]] = []
+        group: tuple[Body, ...] = (body,)
+        for each in groups:
+            other = np.concatenate([one.nodes for one in each])
+            one, two = (np.isin(followers, body.nodes), np.isin(leaders, body.nodes))
+            if (one & np.isin(leaders, other)).any() or (two & np.isin(followers, other)).any():
+                group = (*each, *group)
+            else:
+                apart.append(each)
+        groups = [*apart, group]
+    return tuple(groups)
 
 
 def joined(bodies: Sequence[Body], carriers: Sequence[Carrier]) -> tuple[Body, ...]:
@@ -93,32 +119,39 @@ def joined(bodies: Sequence[Body], carriers: Sequence[Carrier]) -> tuple[Body, .
     return tuple(out)
 
 
-def _fixed_motions(model: Model, supports: PrescribedComponents, body: Body) -> int:
-    """Number of the six rigid motions of a body that its supports prevent."""
+def _fixed_motions(model: Model, supports: PrescribedComponents, group: tuple[Body, ...]) -> int:
+    """Number of the six rigid motions of each of some bodies that their supports prevent."""
     tied, still = supports.ties, supports.mask.ravel().copy()
     still[tied.followers] = False
-    carriers = [each for each in supports.carriers if np.isin(each.nodes, body.nodes).any()]
-    nodes = np.concatenate([body.nodes, *(each.node + np.arange(4) for each in carriers)])
+    of = [[each for each in supports.carriers if np.isin(each.nodes, body.nodes).any()] for body in group]
+    carriers = list({each.node: each for own in of for each in own}.values())
+    nodes = np.concatenate([*(body.nodes for body in group), *(each.node + np.arange(4) for each in carriers)])
     mask = np.zeros_like(supports.mask)
     mask[nodes] = still.reshape(-1, 3)[nodes]
     for each in carriers:
         mask[each.node] |= np.array(each.point.stiffness) > 0
         mask[each.arrows] |= each.point.rotational_spring > 0
-    # a rigid face moves along with its point; the nodes of a plane section may part
-    follows = np.isin(tied.followers // 3, body.nodes) & (tied.leaders < 3 * len(model.mesh.points))
-    beds = _beds(model, body)
-    count = mask.sum() + follows.sum() + sum(each.bearing is not None for each in carriers) + len(beds)
+    # a rigid face moves along with its point; the nodes of a plane section or of equations may part
+    followers = np.unique(
+        tied.followers[np.isin(tied.followers // 3, nodes) & (tied.leaders < 3 * len(model.mesh.points))]
+    )
+    beds = [bed for body in group for bed in _beds(model, body)]
+    count = mask.sum() + len(followers) + sum(each.bearing is not None for each in carriers) + len(beds)
     if not count:
         return 0
-    arms, goes = _arms(model, supports, body)
     motions = []
-    for axis in range(3):
-        for motion in (goes[:, None] * np.eye(3)[axis], np.cross(np.eye(3)[axis], arms)):
-            local = supports.frames.to_local(motion)
-            parted = local.ravel()[tied.followers[follows]] - local.ravel()[tied.leaders[follows]]
-            stops = [stopped(each, motion) for each in carriers]
-            stops += [np.einsum("ki,ki->k", along, motion[nodes]) for nodes, along in beds]
-            motions.append(np.concatenate([local[mask], parted, *stops]))
+    for body, own in zip(group, of, strict=True):
+        moves = np.zeros((len(mask), 1), dtype=bool)
+        moves[np.concatenate([body.nodes, *(each.node + np.arange(each.count) for each in own)])] = True
+        arms, goes = _arms(model, supports, body)
+        for axis in range(3):
+            for motion in (goes[:, None] * np.eye(3)[axis], np.cross(np.eye(3)[axis], arms)):
+                motion = np.where(moves, motion, 0.0)
+                local = supports.frames.to_local(motion).ravel()
+                parted = (local - tied.fill(local))[followers]
+                stops = [stopped(each, motion) for each in carriers]
+                stops += [np.einsum("ki,ki->k", along, motion[at]) for at, along in beds]
+                motions.append(np.concatenate([local[mask.ravel()], parted, *stops]))
     return int(np.linalg.matrix_rank(np.array(motions), tol=1e-6 * max(1.0, np.sqrt(count))))
 
 

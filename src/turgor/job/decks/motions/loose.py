@@ -9,6 +9,7 @@ from scipy.sparse.csgraph import connected_components
 
 from turgor.job.decks.deck import ROUND, Deck
 from turgor.job.decks.directions import NodeAxes
+from turgor.job.decks.parts import stays_apart
 from turgor.job.decks.steps import Path
 from turgor.job.decks.tracks import SHIFT
 
@@ -37,9 +38,10 @@ def has_loose_body(path: Path, axes: NodeAxes) -> bool:
 
 
 def _bodies(deck: Deck) -> Iterable[NDArray[np.int64]]:
-    """Nodes of each body: cells that share nodes, or nodes at one place, which a mesh file makes one."""
+    """Nodes of each body: cells that share nodes, or nodes at one place where a mesh file makes them one."""
     nodes = deck.solid_nodes
-    points = np.round([deck.place[node] for node in nodes.tolist()], 9)
+    own = np.arange(len(nodes), dtype=np.float64)[:, None]
+    points = own if stays_apart(deck) else np.round([deck.place[node] for node in nodes.tolist()], 9)
     _, place = np.unique(points, axis=0, return_inverse=True)
     pairs = [
         np.stack([np.repeat(rows[:, 1], rows.shape[1] - 1), rows[:, 1:].ravel()], axis=1)

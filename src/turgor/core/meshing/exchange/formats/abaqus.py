@@ -169,8 +169,10 @@ def _take_cells(content: Content, keyword: Keyword) -> None:
         if "elset" in keyword.given:
             content.cell_sets[keyword.given["elset"]] += []
         return
-    values = [int(value) for line in keyword.lines for value in numbers(line, content.path, "a cell")]
-    width = KINDS[kind].nodes + 1
+    rows, width = [numbers(line, content.path, "a cell") for line in keyword.lines], KINDS[kind].nodes + 1
+    if all(len(row) > width for row in rows):  # what is left of cells of another order; the programs skip it
+        rows = [row[:width] for row in rows]
+    values = [int(value) for row in rows for value in row]
     if len(values) % width:
         raise TurgorError(f"'{content.path}': cells of type {name} need {width} numbers each; some lines are short.")
     for start in range(0, len(values), width):

@@ -1,0 +1,151 @@
+"""Linear equations between displacements, by elimination: one component of each follows the others of its equation."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from turgor.core.engine.algebra.multipoint import MultiPoint
+from turgor.core.engine.algebra.settings import EQUATIONS
+from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.model import Model
+from turgor.core.model.supports import Support
+from turgor.foundation.errors import TurgorError
+from turgor.units import mm
+
+if TYPE_CHECKING:
+    from turgor.core.engine.algebra.boundary import PrescribedComponents
+
+Row = dict[int, float]
+
+#: Nodes (k, m) and vectors (k, m, 3) of k equations.
+Equations = tuple[NDArray[np.int64], NDArray[np.float64]]
+
+
+def with_equations(prescribed: "PrescribedComponents", model: Model) -> "PrescribedComponents":
+    """Let a component of each `Equation` of a model follow the others, after all other supports and ties.
+
+    What is prescribed or follows already is no candidate: its value, or what it follows, takes its place in the
+    equation. An equation that the others imply is left out.
+
+    Raises
+    ------
+    TurgorError
+        If everything in an equation is prescribed, and something in it moves.
+    """
+    named = [(each.place, rows) for each in model.supports if (rows := _stated(each, model.mesh)) is not None]
+    if not named:
+        return prescribed
+    size, count = prescribed.mask.size, 3 * len(model.mesh.points)
+    spread = prescribed.spread()
+    candidates = ~prescribed.mask.ravel()
+    candidates[count:] = False
+    moved = np.zeros_like(prescribed.mask)
+    for nodes, _, _ in prescribed.moving:
+        moved[nodes] = prescribed.mask[nodes]
+    followed: dict[int, Row] = {}
+    for name, (nodes, vectors) in named:
+        _eliminate(followed, name, _rows(nodes, vectors, spread), candidates, moved.ravel())
+    prescribed.mask.ravel()[list(followed)] = True
+    return replace(prescribed, ties=_joined(prescribed.ties, followed, size))
+
+
+def _stated(support: Support, mesh: Mesh) -> Equations | None:
+    """Nodes and vectors of the equations of a support."""
+    return support.equations(mesh) if support.tied is None else _of_tie(mesh, *support.tied)
+
+
+@lru_cache(maxsize=8)  # checks and stages ask again
+def _of_tie(mesh: Mesh, face: str, other: str) -> Equations:
+    """Equations between the nodes of a face and those of the sides of another one on which they lie."""
+    from turgor.core.engine.faces.attached import on_face  # few models have ties, and this loads the search
+
+    own = np.setdiff1d(np.intersect1d(mesh.face_nodes(face), mesh.carrying_sides(face)), mesh.face_nodes(other))
+    nodes, shares, away = on_face(mesh, other, mesh.points[own])
+    near = away <= EQUATIONS.tied_within * float(np.ptp(mesh.points, axis=0).max())
+    if len(own) and not near.any():
+        raise TurgorError(
+            f"tie of '{face}': it lies {away.min() / mm:.3g} mm from '{other}'; they must touch, within "
+            f"{EQUATIONS.tied_within * 100:g} % of the size of the part."
+        )
+    own, nodes, shares = own[near], nodes[near], shares[near]
+    weights = np.concatenate([np.ones((len(own), 1)), -shares], axis=1)
+    vectors = np.einsum("km,ij->kimj", weights, np.eye(3)).reshape(3 * len(own), -1, 3)
+    return np.repeat(np.concatenate([own[:, None], nodes], axis=1), 3, axis=0), vectors
+
+
+def _rows(nodes: NDArray[np.int64], vectors: NDArray[np.float64], spread: sp.csr_matrix) -> Iterator[Row]:
+    """Equations as factors of the components that do not follow."""
+    count, width = nodes.shape
+    columns = (3 * nodes[:, :, None] + np.arange(3)).ravel()
+    stated = sp.csr_matrix(
+        (vectors.ravel(), (np.repeat(np.arange(count), 3 * width), columns)), shape=(count, spread.shape[0])
+    )
+    largest = np.abs(vectors).max(initial=0.0)
+    reduced = (stated @ spread).tocsr()
+    for start, end in zip(reduced.indptr[:-1], reduced.indptr[1:], strict=True):
+        row = dict(zip(reduced.indices[start:end].tolist(), reduced.data[start:end].tolist(), strict=True))
+        yield {each: value for each, value in row.items() if abs(value) > EQUATIONS.round_off * largest}
+
+
+def _eliminate(
+    followed: dict[int, Row],
+    name: str,
+    rows: Iterable[Row],
+    candidates: NDArray[np.bool_],
+    moved: NDArray[np.bool_],
+) -> None:
+    """Add the followers of some equations to those of the equations before them; no leader follows."""
+    users: dict[int, set[int]] = {}
+    for follower, row in followed.items():
+        for leader in row:
+            users.setdefault(leader, set()).add(follower)
+    for stated in rows:
+        row = _substituted(stated, followed)
+        free = {each: abs(value) for each, value in row.items() if candidates[each]}
+        if not free:
+            if any(moved[each] for each in row):
+                raise TurgorError(
+                    f"equation '{name}': the supports prescribe all displacements in it, and move some; leave one free."
+                )
+            continue
+        pivot = max(free, key=lambda each: (round(free[each] / max(free.values()), 6), -each))
+        share = row.pop(pivot)
+        followed[pivot] = {each: -value / share for each, value in row.items()}
+        for user in users.pop(pivot, set()):
+            followed[user] = _substituted(followed[user], {pivot: followed[pivot]})
+            for leader in followed[user]:
+                users.setdefault(leader, set()).add(user)
+        for leader in followed[pivot]:
+            users.setdefault(leader, set()).add(pivot)
+
+
+def _substituted(row: Row, followed: Mapping[int, Row]) -> Row:
+    """A row with what its followers follow in their place, without round-off."""
+    out: Row = {}
+    for each, value in row.items():
+        for leader, weight in followed[each].items() if each in followed else ((each, 1.0),):
+            out[leader] = out.get(leader, 0.0) + value * weight
+    largest = max(map(abs, row.values()), default=0.0)
+    return {each: value for each, value in out.items() if abs(value) > EQUATIONS.round_off * largest}
+
+
+def _joined(ties: MultiPoint, followed: Mapping[int, Row], size: int) -> MultiPoint:
+    """Former ties with the new followers, none of which leads."""
+    added = [(follower, leader, weight) for follower, row in followed.items() for leader, weight in row.items()]
+    followers, leaders = (np.array([each[i] for each in added], dtype=np.int64) for i in (0, 1))
+    new = MultiPoint(followers, leaders, np.array([each[2] for each in added], dtype=np.float64))
+    own = np.unique(ties.followers)
+    fixed = np.setdiff1d(list(followed), followers)  # those that follow nothing stay where they are
+    chain = new.spread(size)
+    chain[fixed, fixed] = 0.0
+    former = (ties.spread(size)[own] @ chain).tocoo()
+    return MultiPoint(
+        np.concatenate([own[former.row], followers]),
+        np.concatenate([former.col.astype(np.int64), leaders]),
+        np.concatenate([former.data, new.weights]),
+    )
