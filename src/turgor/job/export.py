@@ -8,11 +8,11 @@ from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.molds.casting_mold import casting_mold
 from turgor.core.geometry.molds.mold import Mold
 from turgor.core.geometry.write_step import write_step
+from turgor.core.inp.write_inp import PROGRAMS, compressible, write_inp
 from turgor.core.meshing.exchange.formats.write_stl import write_stl
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.model import Model
-from turgor.core.model.write_inp import PROGRAMS, compressible, write_inp
 from turgor.core.setups.with_setup import with_setup
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.job import Job

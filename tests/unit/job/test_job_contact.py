@@ -10,10 +10,10 @@ import pytest
 import turgor as tg
 from refused import any_states, refused
 from turgor.cli import main
+from turgor.core.inp.write_inp import compressible, write_inp
 from turgor.core.meshing.exchange.formats.stl import stl_bytes
 from turgor.core.model.contact import Contact
 from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, SelfContact, Sphere
-from turgor.core.model.write_inp import compressible, write_inp
 from turgor.job.export import InpOptions, export_job
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text

@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 
 from refused import any_states, refused
+from turgor.core.inp.write_inp import write_inp
 from turgor.core.materials.laws.laws import Hooke, NeoHooke, Woven
 from turgor.core.materials.library.records import from_library
 from turgor.core.model.fibers import Fibers, Winding
 from turgor.core.model.model import Model
 from turgor.core.model.sheets import Membrane, Shell
 from turgor.core.model.supports import Fixed, PlaneSection, Radial
-from turgor.core.model.write_inp import write_inp
 from turgor.job.export import InpOptions, export_job
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text

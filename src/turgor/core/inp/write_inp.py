@@ -7,17 +7,17 @@ from pathlib import Path
 
 import numpy as np
 
+from turgor.core.inp.directions import orientation_lines
+from turgor.core.inp.equations import equation_lines
+from turgor.core.inp.growth import expansion_lines, initial_lines
+from turgor.core.inp.materials import material_lines
+from turgor.core.inp.reference_points import InpDeck, fixed_lines, inp_points, point_lines
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.material import Material
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.exchange.formats.abaqus_sets import SIDES
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, points_of
-from turgor.core.model.inp.directions import orientation_lines
-from turgor.core.model.inp.equations import equation_lines
-from turgor.core.model.inp.growth import expansion_lines, initial_lines
-from turgor.core.model.inp.materials import material_lines
-from turgor.core.model.inp.reference_points import InpDeck, fixed_lines, inp_points, point_lines
 from turgor.core.model.loads.load import DeckRows, Load
 from turgor.core.model.model import Model
 from turgor.core.model.sheets import Sheet, Shell

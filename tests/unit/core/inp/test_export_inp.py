@@ -7,12 +7,12 @@ import pytest
 
 import turgor as tg
 from refused import refused
+from turgor.core.inp.materials import material_lines
+from turgor.core.inp.write_inp import cell_faces, write_inp
 from turgor.core.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden, YeohN
 from turgor.core.meshing.exchange.read import read_mesh
-from turgor.core.model.inp.materials import material_lines
 from turgor.core.model.loads import BodyForce
 from turgor.core.model.supports import Displacement
-from turgor.core.model.write_inp import cell_faces, write_inp
 from turgor.units import kPa, mm
 
 FINGER = tg.FastPneuNet(chambers=2, length=20 * mm)
