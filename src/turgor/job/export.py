@@ -12,11 +12,11 @@ from turgor.core.inp.write_inp import PROGRAMS, compressible, write_inp
 from turgor.core.meshing.exchange.formats.write_stl import write_stl
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.model.model import Model
 from turgor.core.setups.with_setup import with_setup
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
+from turgor.job.prepare import model_of
 
 #: Kinds of export.
 KINDS = ("inp", "step", "stl", "mold")
@@ -118,24 +118,11 @@ def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[st
 
 
 def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
-    if job.procedure.stages:
-        raise TurgorError(
-            "stages have no form in an .inp file; export a job with one procedure, in which "
-            "histories say when loads act."
-        )
-    model = Model(
-        mesh,
-        materials=job.materials,
-        supports=job.all_supports,
-        loads=job.all_loads,
-        reinforcements=tuple(job.fibers.values()),
-        contact=job.contact,
-        bonds=tuple(job.bonds.values()),
-    )
+    model = model_of(job, mesh)
     model = with_setup(model, job.setup)  # the plate that blocks the tip is part of the model
     if options.poisson is not None:
         model = compressible(model, options.poisson)
-    write_inp(model, file, program=options.program, at=sorted({*job.procedure.at, 1.0}))
+    write_inp(model, file, program=options.program, procedure=job.procedure)
 
 
 def _write_mold(mold: Mold, folder: Path, name: str) -> None:

@@ -90,11 +90,7 @@ def build_parts(
         if model.contact.obstacles:
             raise TurgorError("contact needs tetrahedra or 27-node hexahedra; this mesh has 20-node hexahedra.")
         return []
-    bonded = [face for faces in mesh.parted for face in faces]
-    mirrors = of_face(mesh, surface, *mesh.cut_faces, *bonded)  # bonds bear what presses their sides together
-    cavities = of_face(mesh, surface, *mesh.cavities)
-    films = surface.outward is not None
-    outer = ~mirrors & (surface.outward if surface.outward is not None else ~cavities & ~_pinhole(mesh, surface))
+    films, outer = surface.outward is not None, outer_sides(mesh, surface)
     outside = surface.chosen(outer)
     parts = _with_itself(model, surface, outside, (points, length / stress), like)
     own = model.contact.self_contact
@@ -114,6 +110,14 @@ def build_parts(
             parts.append(ShapePart(obstacle.name, chosen, obstacle.shape.scaled(length), obstacle, unknown))
         parts[-1].elastic_slip = _over(obstacle.elastic_slip, length)
     return parts
+
+
+def outer_sides(mesh: Mesh, surface: Surface) -> NDArray[np.bool_]:
+    """Which sides of a surface lie outside: on no cavity, cut or bond, which bears what presses its sides together."""
+    bonded = [face for faces in mesh.parted for face in faces]
+    mirrors = of_face(mesh, surface, *mesh.cut_faces, *bonded)
+    cavities = of_face(mesh, surface, *mesh.cavities)
+    return ~mirrors & (surface.outward if surface.outward is not None else ~cavities & ~_pinhole(mesh, surface))
 
 
 def _over(stated: float | None, length: float) -> float | None:
