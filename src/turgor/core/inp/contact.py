@@ -114,7 +114,7 @@ def _interaction(context: Context, name: str, own: Obstacle | SelfContact, walls
     if context.for_abaqus:
         slip = f"ELASTIC SLIP={own.elastic_slip / mm:.6g}" if own.elastic_slip else f"SLIP TOLERANCE={SLIP:g}"
         return [*lines, f"*FRICTION, {slip}", f"{own.friction:.12g}"]
-    return [*lines, "*FRICTION", f"{own.friction:.12g}, {slope / 10:.6g}"]  # a tenth, as the manual recommends
+    return [*lines, "*FRICTION", f"{own.friction:.12g}, {slope:.6g}"]  # as stiff along the wall
 
 
 def _slope(own: Obstacle | SelfContact, walls: Surface) -> float:
@@ -152,8 +152,8 @@ def _rigid(context: Context, obstacle: Obstacle) -> tuple[list[str], RigidNode]:
     lines.append(f"*ELEMENT, TYPE=C3D6, ELSET={label}")
     cells = [next(context.elements) for _ in triangles]
     for cell, (a, b, c) in zip(cells, (triangles + first).tolist(), strict=True):
-        back = [node + len(points) for node in (a, c, b)]
-        lines.append(", ".join(map(str, (cell, *back, a, c, b))))
+        back = [node + len(points) for node in (a, b, c)]
+        lines.append(", ".join(map(str, (cell, *back, a, b, c))))
     lines += [f"*SURFACE, NAME={label}, TYPE=ELEMENT", *(f"{cell}, S2" for cell in cells)]
     lines += [f"*MATERIAL, NAME={label}", "*ELASTIC", "1., 0."]  # of a rigid body, without an effect
     lines += [f"*SOLID SECTION, ELSET={label}, MATERIAL={label}"]

@@ -111,8 +111,8 @@ def _springs(
         lines.append(f"*ELEMENT, TYPE=SPRINGA, ELSET={name}")
         lines += [f"{next(context.elements)}, {ends[k][0]}, {ends[k][1]}" for k in group]
         lines += [f"*SPRING, ELSET={name}, NONLINEAR", ""]
-        rows = ((-fibers.compression * force, -float(length)), (0.0, 0.0), (force, float(length)))
-        lines += [f"{f:.12g}, {elongation:.12g}" for f, elongation in rows]
+        rows = ((0.0 - fibers.compression * force, -float(length)), (0.0, 0.0), (force, float(length)))
+        lines += [f"{f:.9e}, {elongation:.9e}" for f, elongation in rows]  # a number without a point is a direction
     return lines
 
 
