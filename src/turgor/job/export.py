@@ -1,19 +1,22 @@
 """Export of the actuator of a job: files for other programs and for manufacturing."""
 
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.molds.casting_mold import casting_mold
 from turgor.core.geometry.molds.mold import Mold
 from turgor.core.geometry.write_step import write_step
-from turgor.core.inp.write_inp import PROGRAMS, compressible, write_inp
+from turgor.core.inp.account import APPROXIMATED, InpNote
+from turgor.core.inp.write_inp import PROGRAMS, compressible, inp_file
+from turgor.core.materials.material import Material
 from turgor.core.meshing.exchange.formats.write_stl import write_stl
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.setups.with_setup import with_setup
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.job.exported_keys import key_notes
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
 from turgor.job.prepare import model_of
@@ -42,9 +45,24 @@ class InpOptions:
             raise unknown("program", self.program, PROGRAMS)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Exported:
+    """What was written.
+
+    Parameters
+    ----------
+    files : tuple of Path
+    notes : tuple of InpNote
+        What became of each part of the job in the .inp file.
+    """
+
+    files: tuple[Path, ...]
+    notes: tuple[InpNote, ...] = ()
+
+
 def export_job(
     job: Job, folder: str | Path, kinds: Collection[str], *, inp: InpOptions | None = None, force: bool = False
-) -> tuple[Path, ...]:
+) -> Exported:
     """Write the actuator of a job as files of other programs.
 
     Parameters
@@ -64,8 +82,7 @@ def export_job(
 
     Returns
     -------
-    tuple of Path
-        Files that were written.
+    Exported
 
     Raises
     ------
@@ -75,7 +92,7 @@ def export_job(
     for kind in kinds:
         if kind not in KINDS:
             raise unknown("kind of export", kind, KINDS)
-    place, written = Path(folder), []
+    place, notes = Path(folder), tuple[InpNote, ...]()
     geometry = job.geometry()
     mesh = mesh_of(job, geometry) if {"inp", "stl"} & set(kinds) else None
     mold = casting_mold(job.actuator) if "mold" in kinds else None
@@ -89,7 +106,7 @@ def export_job(
         )
     place.mkdir(parents=True, exist_ok=True)
     if mesh is not None and "inp" in kinds:
-        _write_model(job, mesh, place / f"{job.name}.inp", inp or InpOptions())
+        notes = _write_model(job, mesh, place / f"{job.name}.inp", inp or InpOptions())
     if "step" in kinds:
         write_step(geometry, place / f"{job.name}.step")
     if mesh is not None and "stl" in kinds:
@@ -98,8 +115,7 @@ def export_job(
             write_stl(mesh, place / f"{job.name}-{cavity}.stl", face=cavity)
     if mold is not None:
         _write_mold(mold, place, f"{job.name}-mold")
-    written += [place / name for name in names]
-    return tuple(written)
+    return Exported(files=tuple(place / name for name in names), notes=notes)
 
 
 def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[str], mold: Mold | None) -> list[str]:
@@ -117,12 +133,19 @@ def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[st
     return names
 
 
-def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
-    model = model_of(job, mesh)
-    model = with_setup(model, job.setup)  # the plate that blocks the tip is part of the model
+def _write_model(job: Job, mesh: Mesh, path: Path, options: InpOptions) -> tuple[InpNote, ...]:
+    model = with_setup(model_of(job, mesh), job.setup)  # the plate that blocks the tip is part of the model
     if options.poisson is not None:
         model = compressible(model, options.poisson)
-    write_inp(model, file, program=options.program, procedure=job.procedure)
+    file = inp_file(model, job.procedure, program=options.program)
+    if options.poisson is not None:
+        text = f"Poisson's ratio {options.poisson:g} at rest instead of a volume that stays"
+        changed = [name for name, each in job.materials.items() if isinstance(each, Material) and each.incompressible]
+        own = tuple(InpNote(f"materials.{name}.bulk_modulus", APPROXIMATED, text) for name in changed)
+        file = replace(file, notes=(*file.notes, *own))
+    file = replace(file, notes=(*file.notes, *key_notes(job, file.notes)))
+    file.write(path)
+    return file.notes
 
 
 def _write_mold(mold: Mold, folder: Path, name: str) -> None:

@@ -34,7 +34,7 @@ class InpNote:
         return f"{self.what}: {self.verdict}: {self.text}"
 
 
-def head_lines(notes: Iterable[InpNote]) -> list[str]:
-    """Return the comments at the head of a file: what differs first."""
+def by_verdict(notes: Iterable[InpNote]) -> list[InpNote]:
+    """Return notes on what differs first: what is left out, then what is approximated, then what is written."""
     order = (LEFT_OUT, APPROXIMATED, WRITTEN)
-    return [f"** {note}" for note in sorted(notes, key=lambda note: order.index(note.verdict))]
+    return sorted(notes, key=lambda note: order.index(note.verdict))

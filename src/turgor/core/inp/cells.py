@@ -20,10 +20,7 @@ def mesh_lines(context: Context, reduced: bool) -> list[str]:
     kind = "C3D10" if tetrahedra else ("C3D20R" if reduced else "C3D20")
     foams = [name for name, each in context.model.region_materials.items() if each.is_foam]
     cells = mesh.cells[:, : 10 if tetrahedra else 20]
-    if mesh.cell_type.side.nodes == 9:
-        context.approximated("mesh", f"hexahedra of 27 nodes become {kind} of 20, without mean stresses of their own")
-    else:
-        context.written("mesh", f"{len(cells)} cells {kind}, without the mean stresses of turgor's")
+    _account(context, kind)
     lines = ["*NODE, NSET=Nall", *node_lines(mesh.points, np.unique(cells))]
     for name, rows in mesh.regions.items():
         hybrid = "H" if context.for_abaqus and name not in foams else ""
@@ -36,6 +33,18 @@ def mesh_lines(context: Context, reduced: bool) -> list[str]:
         lines += [f"*NSET, NSET={plain(name)}", *rows_of((nodes + 1).tolist())]
         lines += surface_lines(plain(name), cell_faces(mesh, name))
     return lines
+
+
+def _account(context: Context, kind: str) -> None:
+    mesh = context.model.mesh
+    cells = f"{len(mesh.cells)} cells {kind}{'H' if context.for_abaqus else ''}"
+    own = "mean stresses as Abaqus has them" if context.for_abaqus else "without mean stresses"
+    if mesh.cell_type.side.nodes == 9:
+        context.approximated("mesh", f"{cells}, of 20 nodes instead of 27, {own}")
+    else:
+        context.written("mesh", f"{cells}, {own}")
+    if mesh.revolved:
+        context.approximated("mesh", "a quarter of a ring, whose nodes need not move alike around the axis")
 
 
 def node_lines(points: NDArray[np.float64], rows: Ints, first: int = 1) -> list[str]:

@@ -12,6 +12,7 @@ from turgor.core.engine.mass import cell_volumes
 from turgor.core.inp.cells import faces_of_sides, node_lines, surface_lines
 from turgor.core.inp.context import Context
 from turgor.core.meshing.quality.mirror_gap import faces_its_image
+from turgor.core.meshing.quality.proximity import find_facing_walls
 from turgor.core.model.drive import pressed_together
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Obstacle, Plane, SelfContact
@@ -61,19 +62,16 @@ def contact_lines(context: Context) -> tuple[list[str], tuple[RigidNode, ...]]:
         raise TurgorError("contact needs tetrahedra or 27-node hexahedra; this mesh has 20-node hexahedra.")
     surface = whole_surface(model, model.mesh.points, cell_volumes(model.mesh), 1.0)
     outside = surface.chosen(outer_sides(model.mesh, surface))
-    walls = {"contact_outside": outside} if alone or model.contact.obstacles else {}
-    walls |= {f"contact_{name}": surface.chosen(of_face(model.mesh, surface, name)) for name in cavities}
-    for name, each in walls.items():
-        lines += surface_lines(name, faces_of_sides(model.mesh, each.sides) or [])
+    lines += surface_lines("contact_outside", faces_of_sides(model.mesh, outside.sides) or [])
     if own is not None:
-        for name in (name for name in walls if alone or name != "contact_outside"):
-            lines += _interaction(context, name, own, walls[name])
-            lines += _pair(name, name, name)
-            _account(context, "contact.self_contact", own, walls[name], f"walls of {name} as a pair with itself")
+        inner = {name: surface.chosen(of_face(model.mesh, surface, name)) for name in cavities}
+        walls = ({"outside": outside} if alone else {}) | inner
+        for name, each in walls.items():
+            lines += _with_itself(context, name, own, each)
         for plane in _mirrors(model):
             rigid, node = _rigid(context, plane)
             lines += [*rigid, *_interaction(context, plane.name, own, outside)]
-            lines += [line for name in walls for line in _pair(plane.name, name, f"rigid_{plane.name}")]
+            lines += [line for name in walls for line in _pair(plane.name, f"contact_{name}", f"rigid_{plane.name}")]
             nodes.append(node)
     for obstacle in model.contact.obstacles:
         rigid, node = _rigid(context, obstacle)
@@ -86,6 +84,27 @@ def contact_lines(context: Context) -> tuple[list[str], tuple[RigidNode, ...]]:
         _account(context, f"obstacles.{obstacle.name}", obstacle, chosen, "a rigid body of flat sides")
         nodes.append(node)
     return lines, tuple(nodes)
+
+
+def _with_itself(context: Context, name: str, own: SelfContact, walls: Surface) -> list[str]:
+    """Walls with each other: one surface in Abaqus, pairs of facing walls in CalculiX, which crawls with one."""
+    mesh, what = context.model.mesh, "contact.self_contact"
+    lines = [] if name == "outside" else surface_lines(f"contact_{name}", faces_of_sides(mesh, walls.sides) or [])
+    lines += _interaction(context, name, own, walls)
+    if context.for_abaqus:
+        _account(context, what, own, walls, f"the surface {name} as a pair with itself")
+        return [*lines, *_pair(name, f"contact_{name}", f"contact_{name}")]
+    facing = find_facing_walls(mesh, cavity=None if name == "outside" else name)
+    corners = walls.sides[:, : walls.corners]
+    for number, wall in enumerate(facing.walls):
+        sides = walls.sides[np.isin(corners, wall).all(axis=1)]
+        lines += surface_lines(f"wall_{name}_{number + 1}", faces_of_sides(mesh, sides) or [])
+    for one, other in facing.pairs.tolist():
+        lines += _pair(name, f"wall_{name}_{one + 1}", f"wall_{name}_{other + 1}")
+    if len(facing.pairs):
+        _account(context, what, own, walls, f"{len(facing.pairs)} pairs of walls that face each other at rest")
+    context.left_out(what, f"contact of parts of {name} that do not face each other at rest")
+    return lines
 
 
 def _mirrors(model: Model) -> Iterator[Obstacle]:

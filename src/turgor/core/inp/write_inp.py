@@ -1,11 +1,11 @@
 """write_inp: a model as an .inp file of CalculiX or Abaqus."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 
-from turgor.core.inp.account import InpNote, head_lines
+from turgor.core.inp.account import InpNote, by_verdict
 from turgor.core.inp.cells import mesh_lines
 from turgor.core.inp.contact import RigidNode, contact_lines, rigid_rows
 from turgor.core.inp.context import ABAQUS, CALCULIX, Context, plain
@@ -71,11 +71,44 @@ def write_inp(
         If something has no form in the file: a body force, a law without a counterpart, a bond, a load that follows
         its point, a procedure that seeks pressures.
     """
+    file = inp_file(model, procedure or Static(), program=program, at=at, reduced=reduced)
+    file.write(path)
+    return file.notes
+
+
+@dataclass(frozen=True, slots=True)
+class InpFile:
+    """An .inp file before it is written.
+
+    Parameters
+    ----------
+    title : str
+    notes : tuple of InpNote
+        Its account.
+    lines : tuple of str
+        What follows the account.
+    """
+
+    title: str
+    notes: tuple[InpNote, ...]
+    lines: tuple[str, ...]
+
+    def write(self, path: str | Path) -> None:
+        """Write the file, with its account at the head."""
+        units = "** units: mm, N, MPa, tonne, s; the time is the load factor where nothing has a duration"
+        text = "\n".join([f"** {self.title}", units, *(f"** {note}" for note in by_verdict(self.notes)), *self.lines])
+        Path(path).write_text(text + "\n", encoding="ascii", errors="replace")
+
+
+def inp_file(
+    model: Model, procedure: Procedure, *, program: str, at: Sequence[float] = (), reduced: bool = True
+) -> InpFile:
+    """Make an .inp file; arguments and errors as of `write_inp`."""
     if program not in PROGRAMS:
         raise unknown("program", program, PROGRAMS)
-    way = _procedure(procedure or Static(), at)
+    way = _procedure(procedure, at)
     _check_extras(model)
-    context, models = Context.of(model, program), questions(model, way)
+    context, models, initial = Context.of(model, program), questions(model, way), initial_lines(model)
     points, names = inp_points(model, program), {name: plain(name) for name in model.mesh.faces}
     deck = InpDeck(model.mesh, points, names, 1 / model.mesh.symmetry_factor)
     cells = [*mesh_lines(context, reduced), *sheet_lines(context)]
@@ -85,17 +118,14 @@ def write_inp(
     acting = [[*acting_rows(each, deck), *_rigid_rows(each, rigid)] for each in models]
     amplitudes, steps = history_lines(context, way, acting)
     lines = [
-        f"** {plain(model.mesh.name)}, written by turgor for {program}",
-        "** units: mm, N, MPa, tonne, s; the time is the load factor where nothing has a duration",
-        *head_lines(context.notes),
         *(cells + sections + parts + contact),
         *_support_lines(models[0], deck),
-        *initial_lines(model),
+        *initial,
         *velocity_lines(way, program),
         *(amplitudes + steps),
     ]
-    Path(path).write_text("\n".join(lines) + "\n", encoding="ascii", errors="replace")
-    return tuple(context.notes)
+    title = f"{plain(model.mesh.name)}, written by turgor for {program}"
+    return InpFile(title, tuple(context.notes), tuple(lines))
 
 
 def _procedure(procedure: Procedure, at: Sequence[float]) -> Procedure:

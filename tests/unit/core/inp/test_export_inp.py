@@ -7,8 +7,8 @@ import pytest
 
 import turgor as tg
 from refused import refused
-from turgor.core.inp.materials import material_lines
 from turgor.core.inp.cells import cell_faces
+from turgor.core.inp.materials import material_lines
 from turgor.core.inp.write_inp import write_inp
 from turgor.core.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden, YeohN
 from turgor.core.meshing.exchange.read import read_mesh
