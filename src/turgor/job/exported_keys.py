@@ -15,6 +15,7 @@ _TABLES: Mapping[str, tuple[str, str]] = {
     "bodies": (WRITTEN, "as the cells of their mesh"),
     "supports": (WRITTEN, "*BOUNDARY and *EQUATION"),
     "loads": (WRITTEN, "in the steps"),
+    "equations": (WRITTEN, "*EQUATION"),
     "points": (WRITTEN, "a node that is tied to its face, with what acts on it"),
     "output": (LEFT_OUT, "measures, pictures and reports are turgor's; the file prints displacements and stresses"),
     "engine": (LEFT_OUT, "threads are for the command of the program"),
