@@ -47,7 +47,9 @@ def entries_of(
             continue
         try:
             cells, material = _section(deck, keyword, materials)
-            if keyword.name == "solid section":
+            if any(np.isin(cells, rigid).all() for _, rigid in deck.rigid_bodies):
+                account.taken(keyword, "of a rigid body, on which its material has no effect")
+            elif keyword.name == "solid section":
                 covered = np.concatenate([covered, _only(cells, deck.solid_numbers, keyword, deck)])
                 name = names.free(keyword.given["elset"], "body")
                 names.bodies[name] = cells
