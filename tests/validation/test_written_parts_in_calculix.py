@@ -1,8 +1,8 @@
 """Shells, threads, obstacles, stages and motion in decks that turgor writes: CalculiX and turgor on the same cells.
 
 Cells are ten-node tetrahedra with displacements only, at Poisson's ratios of 0.4 to 0.45. Tolerances, as shares of the
-largest displacement: 1e-3 where both have the same equations (stages, threads), 2e-3 for shells, of which CalculiX makes
-thin solids, and for the steps of a motion, 1e-2 for contact, whose penalty and integration points differ.
+largest displacement: 1e-3 where both have the same equations (stages, threads), 2e-3 for shells, of which CalculiX
+makes thin solids, and for the steps of a motion, 1e-2 for contact, whose penalty and integration points differ.
 """
 
 import numpy as np

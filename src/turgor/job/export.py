@@ -16,9 +16,9 @@ from turgor.core.meshing.exchange.mesh_file import MeshedShape
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.setups.with_setup import with_setup
 from turgor.foundation.errors import TurgorError, unknown
-from turgor.job.exported_keys import key_notes
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
+from turgor.job.output.exported_keys import key_notes
 from turgor.job.prepare import model_of
 
 #: Kinds of export.

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
+    from turgor.core.inp.account import InpNote as InpNote
     from turgor.core.inp.write_inp import compressible as compressible
     from turgor.core.inp.write_inp import write_inp as write_inp
     from turgor.core.meshing.exchange import MeshFile as MeshFile

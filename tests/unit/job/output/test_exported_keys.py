@@ -11,13 +11,13 @@ from refused import refused
 from turgor.cli import main
 from turgor.core.inp.account import InpNote
 from turgor.core.meshing.settings import MeshSettings
-from turgor.job import exported_keys
 from turgor.job.export import InpOptions, export_job
-from turgor.job.exported_keys import key_notes
+from turgor.job.output import exported_keys
+from turgor.job.output.exported_keys import key_notes
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 
-EXAMPLES = Path(__file__).parents[3] / "examples"
+EXAMPLES = Path(__file__).parents[4] / "examples"
 
 #: Examples that are written for Abaqus, and those that are refused with what has no form.
 WRITTEN = ("axisymmetric_bellows", "blocked_force", "extender_life", "film", "grasp", "soft_arm", "two_balloons")
