@@ -19,10 +19,10 @@ IMAGES = Path(__file__).parent / "images"
 #: The folders (and `measure`) of all wings in the order of imports, as the page has it.
 ROOMS = (
     "core.materials", "core.geometry", "core.meshing", "core.model", "core.engine", "core.solvers", "core.setups",
-    "core.results", "fast_models.formulas", "fast_models.rod", "fast_models.section", "views", "accuracy.gradients",
-    "accuracy.adaptivity", "accuracy.measure", "accuracy.laboratory", "job", "studies.runs", "studies.calibration",
-    "studies.uncertainty", "studies.sensitivity", "studies.surrogates", "studies.optimization", "studies.study_file",
-    "reduced", "systems", "studio", "cli",
+    "core.inp", "core.results", "fast_models.formulas", "fast_models.rod", "fast_models.section", "views",
+    "accuracy.gradients", "accuracy.adaptivity", "accuracy.measure", "accuracy.laboratory", "job", "studies.runs",
+    "studies.calibration", "studies.uncertainty", "studies.sensitivity", "studies.surrogates", "studies.optimization",
+    "studies.study_file", "reduced", "systems", "studio", "cli",
 )  # fmt: skip
 
 #: The wings above the core in the first picture: two rows, from below.

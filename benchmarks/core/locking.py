@@ -19,7 +19,7 @@ import numpy as np
 
 import turgor as tg
 from turgor.core.engine.faces.surfaces import vector_area
-from turgor.core.model.write_inp import write_inp
+from turgor.core.inp.write_inp import write_inp
 from turgor.units import MPa, deg, kPa, mm
 
 FIGURE = Path(__file__).parents[2] / "docs" / "images" / "locking.svg"

@@ -15,7 +15,7 @@ from turgor.supports import Hinge, ReferencePoint, Rotation, Shift
 
 import turgor as tg
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
-from turgor.core.model.write_inp import write_inp
+from turgor.core.inp.write_inp import write_inp
 from turgor.units import MPa, kPa, mm
 
 POISSON = 0.475

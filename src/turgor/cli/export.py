@@ -71,8 +71,11 @@ def export_files(chosen: ExportOptions) -> None:
             )
         from turgor.cli.answers.results import ExportResult
 
-        files = (*_files_of_job(chosen, kinds), *_motions(chosen))
-        answer.give(lambda: ExportResult(files=files))
+        job_files, notes = _files_of_job(chosen, kinds)
+        files = (*job_files, *_motions(chosen))
+        answer.give(lambda: ExportResult(files=files, notes=notes))
+        for note in notes:
+            typer.echo(note)
         for file in files:
             typer.echo(f"{file}{_size(file)}")
 
@@ -81,19 +84,21 @@ def _size(file: Path) -> str:
     return f" ({file.stat().st_size:,} bytes)" if file.is_file() else ""
 
 
-def _files_of_job(chosen: ExportOptions, kinds: list[str]) -> tuple[Path, ...]:
-    """Write what comes from the job itself."""
+def _files_of_job(chosen: ExportOptions, kinds: list[str]) -> tuple[tuple[Path, ...], tuple[str, ...]]:
+    """Write what comes from the job itself; return the files, and what differs in the model."""
     from turgor.core.geometry.molds.mold import MoldSettings
+    from turgor.core.inp.account import by_verdict
     from turgor.job.export import InpOptions, export_job
     from turgor.units import parse_quantity
 
     if not kinds:
-        return ()
+        return (), ()
     question = requested_job(chosen.job, chosen.changes)
     folder = chosen.output if chosen.output is not None else Path(f"{question.name}-export")
     options = InpOptions(program=chosen.program, poisson=chosen.poisson)
     mold = MoldSettings(draft=parse_quantity(chosen.draft, "angle"))
-    return export_job(question, folder, kinds, inp=options, mold=mold, force=chosen.force)
+    done = export_job(question, folder, kinds, inp=options, mold=mold, force=chosen.force)
+    return done.files, tuple(map(str, by_verdict(done.notes)))
 
 
 def _reduced(chosen: ExportOptions, answer: "Answer") -> None:

@@ -1,22 +1,25 @@
 """Export of the actuator of a job: files for other programs and for manufacturing."""
 
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.molds.casting_mold import casting_mold
 from turgor.core.geometry.molds.mold import Mold, MoldSettings
 from turgor.core.geometry.write_step import write_step
+from turgor.core.inp.account import APPROXIMATED, InpNote
+from turgor.core.inp.write_inp import PROGRAMS, compressible, inp_file
+from turgor.core.materials.material import Material
 from turgor.core.meshing.exchange.formats.write_stl import write_stl
 from turgor.core.meshing.exchange.mesh_file import MeshedShape
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.model.model import Model
-from turgor.core.model.write_inp import PROGRAMS, compressible, write_inp
 from turgor.core.setups.with_setup import with_setup
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
+from turgor.job.output.exported_keys import key_notes
+from turgor.job.prepare import model_of
 
 #: Kinds of export.
 KINDS = ("inp", "step", "stl", "mold")
@@ -42,6 +45,21 @@ class InpOptions:
             raise unknown("program", self.program, PROGRAMS)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Exported:
+    """What was written.
+
+    Parameters
+    ----------
+    files : tuple of Path
+    notes : tuple of InpNote
+        What became of each part of the job in the .inp file.
+    """
+
+    files: tuple[Path, ...]
+    notes: tuple[InpNote, ...] = ()
+
+
 def export_job(
     job: Job,
     folder: str | Path,
@@ -50,7 +68,7 @@ def export_job(
     inp: InpOptions | None = None,
     mold: MoldSettings | None = None,
     force: bool = False,
-) -> tuple[Path, ...]:
+) -> Exported:
     """Write the actuator of a job as files of other programs.
 
     Parameters
@@ -72,8 +90,7 @@ def export_job(
 
     Returns
     -------
-    tuple of Path
-        Files that were written.
+    Exported
 
     Raises
     ------
@@ -83,7 +100,7 @@ def export_job(
     for kind in kinds:
         if kind not in KINDS:
             raise unknown("kind of export", kind, KINDS)
-    place, written = Path(folder), []
+    place, notes = Path(folder), tuple[InpNote, ...]()
     geometry = job.geometry()
     mesh = mesh_of(job, geometry) if {"inp", "stl"} & set(kinds) else None
     parts = casting_mold(job.actuator, mold) if "mold" in kinds else None
@@ -97,7 +114,7 @@ def export_job(
         )
     place.mkdir(parents=True, exist_ok=True)
     if mesh is not None and "inp" in kinds:
-        _write_model(job, mesh, place / f"{job.name}.inp", inp or InpOptions())
+        notes = _write_model(job, mesh, place / f"{job.name}.inp", inp or InpOptions())
     if "step" in kinds:
         write_step(geometry, place / f"{job.name}.step")
     if mesh is not None and "stl" in kinds:
@@ -106,8 +123,7 @@ def export_job(
             write_stl(mesh, place / f"{job.name}-{cavity}.stl", face=cavity)
     if parts is not None:
         _write_mold(parts, place, f"{job.name}-mold")
-    written += [place / name for name in names]
-    return tuple(written)
+    return Exported(files=tuple(place / name for name in names), notes=notes)
 
 
 def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[str], mold: Mold | None) -> list[str]:
@@ -125,25 +141,19 @@ def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[st
     return names
 
 
-def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
-    if job.procedure.stages:
-        raise TurgorError(
-            "stages have no form in an .inp file; export a job with one procedure, in which "
-            "histories say when loads act."
-        )
-    model = Model(
-        mesh,
-        materials=job.materials,
-        supports=job.all_supports,
-        loads=job.all_loads,
-        reinforcements=tuple(job.fibers.values()),
-        contact=job.contact,
-        bonds=tuple(job.bonds.values()),
-    )
-    model = with_setup(model, job.setup)  # the plate that blocks the tip is part of the model
+def _write_model(job: Job, mesh: Mesh, path: Path, options: InpOptions) -> tuple[InpNote, ...]:
+    model = with_setup(model_of(job, mesh), job.setup)  # the plate that blocks the tip is part of the model
     if options.poisson is not None:
         model = compressible(model, options.poisson)
-    write_inp(model, file, program=options.program, at=sorted({*job.procedure.at, 1.0}))
+    file = inp_file(model, job.procedure, program=options.program)
+    if options.poisson is not None:
+        text = f"Poisson's ratio {options.poisson:g} at rest instead of a volume that stays"
+        changed = [name for name, each in job.materials.items() if isinstance(each, Material) and each.incompressible]
+        own = tuple(InpNote(f"materials.{name}.bulk_modulus", APPROXIMATED, text) for name in changed)
+        file = replace(file, notes=(*file.notes, *own))
+    file = replace(file, notes=(*file.notes, *key_notes(job, file.notes)))
+    file.write(path)
+    return file.notes
 
 
 def _write_mold(mold: Mold, folder: Path, name: str) -> None:

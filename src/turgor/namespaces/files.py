@@ -5,6 +5,9 @@ from typing import TYPE_CHECKING
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
+    from turgor.core.inp.account import InpNote as InpNote
+    from turgor.core.inp.write_inp import compressible as compressible
+    from turgor.core.inp.write_inp import write_inp as write_inp
     from turgor.core.meshing.exchange import MeshFile as MeshFile
     from turgor.core.meshing.exchange import mesh_surfaces as mesh_surfaces
     from turgor.core.meshing.exchange import read_mesh as read_mesh
@@ -14,8 +17,6 @@ if TYPE_CHECKING:
     from turgor.core.meshing.revolved.plane_state import Axisymmetric as Axisymmetric
     from turgor.core.meshing.revolved.plane_state import PlaneStrain as PlaneStrain
     from turgor.core.meshing.revolved.read_plane import read_plane_mesh as read_plane_mesh
-    from turgor.core.model.write_inp import compressible as compressible
-    from turgor.core.model.write_inp import write_inp as write_inp
     from turgor.core.results.files.modes_vtu import write_modes as write_modes
     from turgor.core.results.files.response_csv import read_response as read_response
     from turgor.core.results.files.vtu import write_series as write_series

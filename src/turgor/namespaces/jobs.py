@@ -9,6 +9,8 @@ if TYPE_CHECKING:
     from turgor.core.meshing.sizing.default_size import default_size as default_size
     from turgor.core.results.convergence.study import Convergence as Convergence
     from turgor.job.convergence import convergence as convergence
+    from turgor.job.export import Exported as Exported
+    from turgor.job.export import InpOptions as InpOptions
     from turgor.job.export import export_job as export_job
     from turgor.job.job import ACTUATORS as ACTUATORS
     from turgor.job.job import Job as Job

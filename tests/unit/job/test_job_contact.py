@@ -10,10 +10,10 @@ import pytest
 import turgor as tg
 from refused import any_states, refused
 from turgor.cli import main
+from turgor.core.inp.write_inp import write_inp
 from turgor.core.meshing.exchange.formats.stl import stl_bytes
 from turgor.core.model.contact import Contact
 from turgor.core.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, SelfContact, Sphere
-from turgor.core.model.write_inp import compressible, write_inp
 from turgor.job.export import InpOptions, export_job
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
@@ -346,14 +346,15 @@ def test_a_face_that_nothing_can_touch_is_refused(tmp_path):
     assert prepare(read(tmp_path, text.replace("strain_limiting_layer", "tip")))[0].contact.obstacles[0].face == "tip"
 
 
-def test_inp_files_have_no_contact(tmp_path):
+def test_inp_files_have_contact(tmp_path):
     model, _ = prepare(read(tmp_path, FINGER))
-    with refused("'plate'", ".inp"):
-        export_job(read(tmp_path, FINGER), tmp_path / "files", ["inp"], inp=InpOptions(poisson=0.45))
-    with refused("'plate'", ".inp"):
-        write_inp(compressible(model, 0.45), tmp_path / "a.inp")
+    done = export_job(read(tmp_path, FINGER), tmp_path / "files", ["inp"], inp=InpOptions(poisson=0.45))
+    notes = {note.what: note for note in done.notes}
+    assert "penalty" in notes["obstacles.plate"].text and "contact_outside, rigid_plate" in done.files[0].read_text()
     file = tmp_path / "a.inp"
-    for wanted, said in ((SelfContact(friction=0.3), True), (None, False)):
+    for wanted, pair in ((SelfContact(friction=0.3), True), (None, False)):
         bare = tg.Model(model.mesh, model.materials, model.supports, model.loads, contact=Contact(self_contact=wanted))
-        write_inp(compressible(bare, 0.45), file)
-        assert ("** without contact: walls that meet pass through each other" in file.read_text()) is said
+        write_inp(bare, file, program="abaqus")
+        text = file.read_text()
+        assert ("\ncontact_outside, contact_outside\n" in text) is pair
+        assert ("\n*FRICTION, SLIP TOLERANCE=0.005\n0.3\n" in text) is pair

@@ -27,7 +27,7 @@ from turgor.core.solvers.solution import Iteration
 from turgor.core.solvers.solve import solve
 from turgor.foundation.response import Column, Response
 from turgor.foundation.source import Source
-from turgor.job.export import export_job
+from turgor.job.export import InpOptions, export_job
 from turgor.job.job import Job, Output
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
@@ -326,8 +326,9 @@ def test_what_cannot_have_stages_says_so_and_check_lists_them(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     job = read(tmp_path, HEAD.replace('tip = "x"\n', "") + SWING)
-    with refused("stages", ".inp"):
-        export_job(job, tmp_path / "inp", ["inp"])
+    (file,) = export_job(job, tmp_path / "inp", ["inp"], inp=InpOptions(poisson=0.45)).files
+    assert "** stage swing\n*STEP, NLGEOM, INC=1000\n" in file.read_text(encoding="ascii")
+    assert "\n*DYNAMIC, ALPHA=-0.111111\n1e-05, 0.01, " in file.read_text(encoding="ascii")
     assert main(["check", str(tmp_path / "job.toml")]) == DONE
     told = capsys.readouterr().out
     said = (

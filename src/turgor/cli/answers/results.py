@@ -247,10 +247,13 @@ class ExportResult:
         The files.
     errors : list of str
         What is known of the error of each, of a reduced model.
+    notes : list of str
+        What became of each part of a job in its .inp file.
     """
 
     files: Sequence[Path]
     errors: Sequence[str] = ()
+    notes: Sequence[str] = ()
 
 
 def run_result(outcome: "RunOutcome") -> RunResult:

@@ -2,11 +2,14 @@
 
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from turgor.core.meshing.exchange.formats.abaqus import Keyword
 from turgor.core.meshing.exchange.formats.raw import numbers
 from turgor.foundation.errors import TurgorError
 from turgor.job.decks.account import Account
-from turgor.job.decks.deck import Deck, words_of
+from turgor.job.decks.deck import Deck, Ints, words_of
+from turgor.job.decks.motions.obstacles import RigidPair
 from turgor.job.decks.parts import coinciding, is_tied, nodes_of_surface, stays_apart
 from turgor.job.decks.units import DeckUnits
 from turgor.units import format_quantity
@@ -29,10 +32,11 @@ class _Contact:
     interactions: dict[str, _Interaction] = field(default_factory=dict)
     last: str = ""
     used: list[str] = field(default_factory=list)
+    rigid: list[tuple[str, tuple[Keyword, Ints], str]] = field(default_factory=list)
 
 
-def contact_of(deck: Deck, units: DeckUnits, account: Account) -> dict[str, object]:
-    """Return the table ``[contact]`` of a job, without which walls do not touch.
+def contact_of(deck: Deck, units: DeckUnits, account: Account) -> tuple[dict[str, object], tuple[RigidPair, ...]]:
+    """Return the table ``[contact]`` of a job, without which walls do not touch, and the pairs with rigid bodies.
 
     Parameters
     ----------
@@ -50,7 +54,12 @@ def contact_of(deck: Deck, units: DeckUnits, account: Account) -> dict[str, obje
             account.taken(keyword, take(state, keyword))
         except (TurgorError, IndexError) as error:
             account.missing(keyword, str(error))
-    return _table(state)
+    rigid = []
+    for slave, (body, cells), interaction in state.rigid:
+        one = state.interactions.get(interaction, _Interaction())
+        pair = RigidPair(keyword=body, cells=cells, slave=slave, friction=one.friction, stiffness=one.stiffness)
+        rigid.append(pair)
+    return _table(state), tuple(rigid)
 
 
 def _table(state: _Contact) -> dict[str, object]:
@@ -92,6 +101,11 @@ def _take_pair(state: _Contact, keyword: Keyword) -> str:
     adjust = keyword.given.get("adjust", "0")
     if any(each not in "0." for each in adjust):
         raise TurgorError(f"ADJUST={adjust} moves nodes onto the other surface, which has no form here; mesh them so.")
+    interaction = keyword.given.get("interaction", "").lower()
+    body = next((each for each in state.deck.rigid_bodies if _is_of(state.deck, master, each[1])), None)
+    if body is not None:
+        state.rigid.append((slave, body, interaction))
+        return "contact with an obstacle"
     for name in (slave, master):
         if not len(nodes_of_surface(state.deck, name)):
             raise TurgorError(f"surface '{name}' is none of solid cells; rigid surfaces have no form here.")
@@ -101,12 +115,17 @@ def _take_pair(state: _Contact, keyword: Keyword) -> str:
         raise TurgorError(
             f"nodes of '{slave}' lie at the place of nodes of '{master}', which a mesh file makes one; leave a gap."
         )
-    interaction = keyword.given.get("interaction", "").lower()
     known = {id(state.interactions.get(name)) for name in (*state.used, interaction)}
     state.used.append(interaction)
     if len(known) > 1 and len({str(state.interactions.get(name)) for name in state.used}) > 1:
         raise TurgorError("pairs with different friction or penalties have no form here.")
     return "contact of walls wherever they meet, with both sides alike"
+
+
+def _is_of(deck: Deck, surface: str, cells: Ints) -> bool:
+    """Whether all sides of a surface are those of some cells."""
+    sides = deck.surface(surface)
+    return bool(sides) and bool(np.isin([cell for cell, _ in sides or ()], cells).all())
 
 
 _TAKERS = {

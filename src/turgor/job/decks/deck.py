@@ -75,8 +75,29 @@ class Deck:
     @cached_property
     def solids(self) -> dict[str, Ints]:
         """Rows (number, nodes …) of the solid cells of each kind; of a plane model all cells."""
+        rigid = np.concatenate([np.zeros(0, dtype=np.int64), *(cells for _, cells in self.rigid_bodies)])
+        return {kind: rows[~np.isin(rows[:, 0], rigid)] for kind, rows in self.every_solid.items()}
+
+    @cached_property
+    def every_solid(self) -> dict[str, Ints]:
+        """Those with the cells of rigid bodies."""
         dimension = 2 if self.plane else 3
         return {kind: rows for kind, rows in self._cells.items() if KINDS[kind].dimension == dimension}
+
+    @cached_property
+    def rigid_bodies(self) -> tuple[tuple[Keyword, Ints], ...]:
+        """Rigid bodies of solid cells with nodes of their own."""
+        bodies = []
+        for keyword in self.model:
+            cells = self.cells(keyword.given.get("elset", "")) if keyword.name == "rigid body" else None
+            if cells is None or not len(cells) or self.plane:
+                continue
+            own = [rows[np.isin(rows[:, 0], cells)] for rows in self.every_solid.values()]
+            others = [rows[~np.isin(rows[:, 0], cells)] for rows in self.every_solid.values()]
+            nodes, shared = (np.concatenate([rows[:, 1:].ravel() for rows in part]) for part in (own, others))
+            if sum(map(len, own)) == len(cells) and not np.isin(nodes, shared).any():
+                bodies.append((keyword, cells))
+        return tuple(bodies)
 
     @cached_property
     def sheets(self) -> dict[str, Ints]:

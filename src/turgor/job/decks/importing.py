@@ -19,6 +19,7 @@ from turgor.job.decks.materials import materials_of
 from turgor.job.decks.mirrors import take_mirrors
 from turgor.job.decks.motions.equations import equations_of
 from turgor.job.decks.motions.loose import has_loose_body
+from turgor.job.decks.motions.obstacles import obstacles_of
 from turgor.job.decks.motions.rigid import points_of
 from turgor.job.decks.motions.temperatures import initial_of, is_heated, temperatures_of
 from turgor.job.decks.names import MeshNames
@@ -54,6 +55,8 @@ class DeckImport:
         Text of the job file.
     mesh : str
         Text of the mesh file that the job names, ``NAME-mesh.inp``.
+    surfaces : mapping of str to str
+        Names and texts of the STL files of obstacles.
     rows : tuple of DeckRow
         In the order of the deck.
     """
@@ -61,6 +64,7 @@ class DeckImport:
     name: str
     job: str
     mesh: str
+    surfaces: Mapping[str, str]
     rows: tuple[DeckRow, ...]
 
     @property
@@ -84,6 +88,7 @@ class DeckImport:
         """
         place = Path(folder)
         files = {place / f"{self.name}.toml": self.job, place / f"{self.name}-mesh.inp": self.mesh}
+        files |= {place / name: text for name, text in self.surfaces.items()}
         taken = [file for file in files if file.exists()]
         if taken and not force:
             raise TurgorError(
@@ -133,7 +138,7 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
     materials = materials_of(deck.model, scale, account, heated=is_heated(deck))
     entries = entries_of(deck, materials, names, scale, account)
     way = path_of(deck, initial_of(deck, account), account)
-    axes, contact = axes_of(deck, deck.model, account), contact_of(deck, scale, account)
+    axes, (contact, rigid) = axes_of(deck, deck.model, account), contact_of(deck, scale, account)
     if contact["self_contact"] and has_loose_body(way, axes):
         _stabilize(way, account)
     images = take_mirrors(way, names)
@@ -147,6 +152,7 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
         *temperatures_of(way, names, entries, account),
     )
     points = points_of(way, names, scale, account)
+    obstacles, surfaces = obstacles_of(way, names, scale, rigid, account)
     names.add_others()
     _account_rest(deck, account)
     apart = {"merge": False} if stays_apart(deck) else {}
@@ -158,10 +164,12 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
         "points": points,
         "loads": loads_table(loads),
         "contact": contact,
+        "obstacles": obstacles,
         "procedure": _procedure(way),
     }
     rows = account.sorted()
-    result = DeckImport(name=file.stem, job=_head(file, units, rows) + _toml(content), mesh=names.text(), rows=rows)
+    job = _head(file, units, rows) + _toml(content)
+    result = DeckImport(name=file.stem, job=job, mesh=names.text(), surfaces=surfaces, rows=rows)
     if result.missing and not partial:
         listed = "\n".join(f"  {row}" for row in result.missing)
         raise TurgorError(

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from math import inf
 from typing import Any
 
+from turgor.core.inp.materials import POLYNOMIAL
 from turgor.core.materials.history.softening import Mullins
 from turgor.core.materials.history.viscoelastic import Prony
 from turgor.core.materials.laws.laws import (
@@ -22,7 +23,6 @@ from turgor.core.materials.laws.laws import (
 from turgor.core.materials.material import Material
 from turgor.core.meshing.exchange.formats.abaqus import Keyword
 from turgor.core.meshing.exchange.formats.raw import numbers
-from turgor.core.model.inp.materials import POLYNOMIAL
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.source import Source
 from turgor.job.decks.account import Account

@@ -1,6 +1,7 @@
 """Bodies and sheets of a deck: cells with a section, and what joins them."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TypeAlias
 
 import numpy as np
@@ -47,7 +48,9 @@ def entries_of(
             continue
         try:
             cells, material = _section(deck, keyword, materials)
-            if keyword.name == "solid section":
+            if any(np.isin(cells, rigid).all() for _, rigid in deck.rigid_bodies):
+                account.taken(keyword, "of a rigid body, on which its material has no effect")
+            elif keyword.name == "solid section":
                 covered = np.concatenate([covered, _only(cells, deck.solid_numbers, keyword, deck)])
                 name = names.free(keyword.given["elset"], "body")
                 names.bodies[name] = cells
@@ -55,6 +58,10 @@ def entries_of(
                 account.taken(keyword, f"body '{name}' of {len(cells)} cells")
             else:
                 name = _sheet(keyword, cells, material, names, entries, units)
+                slack = _slack(deck, keyword.given["material"])
+                if slack is not None:
+                    entries[name] = replace(entries[name], compression=0.0)  # type: ignore[call-arg]
+                    account.taken(slack, "sheets that bear tension only")
                 account.taken(keyword, f"{type(entries[name]).__name__.lower()} '{name}' of {len(cells)} cells")
         except TurgorError as error:
             account.missing(keyword, str(error))
@@ -97,6 +104,16 @@ def _sheet(
     entries[name] = _SHEETS[keyword.name](material, thickness)
     names.sheets[name] = cells
     return name
+
+
+def _slack(deck: Deck, material: str) -> Keyword | None:
+    """The ``*NO COMPRESSION`` of a material; None where it bears compression."""
+    name = ""
+    for keyword in deck.model:
+        name = keyword.given.get("name", "").lower() if keyword.name == "material" else name
+        if keyword.name == "no compression" and name == material.lower():
+            return keyword
+    return None
 
 
 def _check_cells(deck: Deck, covered: np.ndarray, account: Account) -> None:

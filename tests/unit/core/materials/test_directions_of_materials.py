@@ -7,12 +7,12 @@ import pytest
 
 import turgor as tg
 from refused import refused
+from turgor.core.inp.materials import material_lines
+from turgor.core.inp.write_inp import write_inp
 from turgor.core.materials.laws.fiber_family import Family, elongation, family_response
 from turgor.core.materials.laws.homogeneous import nominal_stress, uniaxial
 from turgor.core.materials.orientation import Orientation
 from turgor.core.materials.oriented import oriented_stress
-from turgor.core.model.inp.materials import material_lines
-from turgor.core.model.write_inp import write_inp
 from turgor.fast_models.formulas.formula import law_of, young_modulus
 from turgor.fast_models.rod.sections.section import initial_moduli
 from turgor.job.output.lock import lock_text

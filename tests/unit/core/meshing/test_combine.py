@@ -8,6 +8,7 @@ import pytest
 from refused import refused
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.solids import Block, RoundBar
+from turgor.core.inp.write_inp import write_inp
 from turgor.core.materials.laws.laws import NeoHooke
 from turgor.core.materials.material import Material
 from turgor.core.meshing.bodies.bodies import find_bodies, find_overlap
@@ -24,7 +25,6 @@ from turgor.core.model.loads import Pressure
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Obstacle, Plane
 from turgor.core.model.supports import Fixed, Support
-from turgor.core.model.write_inp import write_inp
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.files.mesh_vtu import write_mesh_vtu
 from turgor.core.results.measures.cavities import enclosed_volume

@@ -7,9 +7,9 @@ import turgor as tg
 import turgor.core.model.supports
 from class_queries import files_that_query
 from refused import refused
+from turgor.core.inp.write_inp import write_inp
 from turgor.core.model.continued_model import continued
 from turgor.core.model.supports.displacement import ContinuedMove
-from turgor.core.model.write_inp import write_inp
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job

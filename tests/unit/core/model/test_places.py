@@ -8,10 +8,10 @@ from lattice_cases import KINDS, lattice, refined
 
 import turgor as tg
 from refused import refused
+from turgor.core.inp.write_inp import write_inp
 from turgor.core.meshing.nodes.node_shares import node_shares
 from turgor.core.meshing.surface import outer_triangles
 from turgor.core.model.supports import Displacement, Fixed, NodesAt, Shift
-from turgor.core.model.write_inp import write_inp
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.05e6))
 

@@ -11,7 +11,7 @@ import turgor as tg
 from refused import refused
 from turgor.core.engine.points.motion import PointMotion
 from turgor.core.engine.system import System
-from turgor.core.model.write_inp import write_inp
+from turgor.core.inp.write_inp import write_inp
 from turgor.core.results.measures.measures import find_measure
 from turgor.core.solvers.checks.supports import check_supports, free_motions
 from turgor.core.solvers.solution import State

@@ -7,7 +7,7 @@ from lattice_cases import KINDS, lattice
 
 import turgor as tg
 from refused import refused
-from turgor.core.model.write_inp import write_inp
+from turgor.core.inp.write_inp import write_inp
 from turgor.core.solvers.checks.supports import free_motions
 from turgor.foundation.errors import CheckError
 from turgor.job.output.lock import lock_text

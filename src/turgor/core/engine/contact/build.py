@@ -92,12 +92,7 @@ def build_parts(
         if model.contact.obstacles:
             raise TurgorError("contact needs tetrahedra or 27-node hexahedra; this mesh has 20-node hexahedra.")
         return []
-    ties = [each.tied for each in model.supports if each.tied is not None]
-    bonded = [face for faces in (*mesh.parted, *ties) for face in faces]
-    mirrors = of_face(mesh, surface, *mesh.cut_faces, *bonded)  # ties and bonds bear what presses sides together
-    cavities = of_face(mesh, surface, *mesh.cavities)
-    films = surface.outward is not None
-    outer = ~mirrors & (surface.outward if surface.outward is not None else ~cavities & ~_pinhole(mesh, surface))
+    films, outer = surface.outward is not None, outer_sides(model, surface)
     outside = surface.chosen(outer)
     parts = _with_itself(model, surface, outside, (points, length / stress), like)
     own = model.contact.self_contact
@@ -117,6 +112,15 @@ def build_parts(
             parts.append(ShapePart(obstacle.name, chosen, obstacle.shape.scaled(length), obstacle, unknown))
         parts[-1].elastic_slip = _over(obstacle.elastic_slip, length)
     return parts
+
+
+def outer_sides(model: Model, surface: Surface) -> NDArray[np.bool_]:
+    """Which sides of a surface lie outside: on no cavity and no cut, and not tied or bonded, which bears pressing."""
+    mesh, ties = model.mesh, [each.tied for each in model.supports if each.tied is not None]
+    bonded = [face for faces in (*mesh.parted, *ties) for face in faces]
+    mirrors = of_face(mesh, surface, *mesh.cut_faces, *bonded)
+    cavities = of_face(mesh, surface, *mesh.cavities)
+    return ~mirrors & (surface.outward if surface.outward is not None else ~cavities & ~_pinhole(mesh, surface))
 
 
 def _over(stated: float | None, length: float) -> float | None:

@@ -115,8 +115,8 @@ class Deck(Protocol):
     def mirror_plane(self, face: str) -> tuple[str, ...]:
         """Rows by which a face does not move along its normal."""
 
-    def displaced(self, point: str, vector: Vector, directions: str) -> tuple[str, ...]:
-        """Rows of a displacement [m] of a reference point in directions."""
+    def displaced(self, place: str | NodesAt, axis: int, value: float) -> tuple[str, ...]:
+        """Rows by which a face, the nodes of a place or a reference point moves along an axis [m]."""
 
     def rotated(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
         """Rows of a rotation vector [rad] of a reference point."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.model.history import RAMP, History, checked, share_at
+from turgor.core.model.history import RAMP, History, checked, points_of, share_at
 from turgor.core.model.loads.load import Deck, DeckRows
 from turgor.core.model.places import NodesAt, checked_face, described
 from turgor.core.model.supports.support import Array, Support, check_directions
@@ -100,15 +100,21 @@ class Displacement(Support):
         return np.asarray(self.value(points, load_factor), dtype=np.float64)
 
     def boundary_rows(self, deck: Deck) -> tuple[str, ...]:
-        """Refuse: only reference points are moved in .inp files."""
-        raise TurgorError(
-            f"the displacement of '{self.place}', {self.shift} m, has no form in .inp files, where only reference "
-            "points are moved; give the face one."
-        )
+        """No row: the steps say where it moves."""
+        return ()
 
     def deck_rows(self, deck: Deck) -> tuple[DeckRows, ...]:
-        """Return the rows of a `Shift` of a reference point."""
-        return (DeckRows("*BOUNDARY", self.way or RAMP, deck.displaced(self.place, self.shift, self.directions)),)
+        """Return the rows of a face, place or reference point that goes the same way as a whole."""
+        factors = _turns(self.value)
+        if factors is None or self.face == "*":
+            raise TurgorError(f"the displacement of '{self.place}' is a function, which has no form in .inp files.")
+        way = [(s, self.displacement(np.zeros((1, 3)), s)[0]) for s in factors]
+        rows = []
+        for axis in sorted("xyz".index(letter) for letter in self.directions):
+            peak = max((float(value[axis]) for _, value in way), key=abs)
+            history = tuple((s, float(value[axis]) / (peak or 1.0)) for s, value in way)
+            rows.append(DeckRows("*BOUNDARY", history, deck.displaced(self.face, axis, peak)))
+        return tuple(rows)
 
     def job_text(self) -> dict[str, object]:
         """Return the table of a `Shift`."""
@@ -189,3 +195,12 @@ class ContinuedMove:
             return old
         there, begun = self.new.value(points, load_factor), self.new.value(points, 0.0)
         return np.asarray(there) + (1 - load_factor) * (old - begun)
+
+
+def _turns(value: Move) -> tuple[float, ...] | None:
+    """Load factors between which a `Shift`, or what goes on from one, moves evenly; None of other functions."""
+    if isinstance(value, Shift):
+        return tuple(s for s, _ in points_of(value.history))
+    if isinstance(value, ContinuedMove):
+        return (0.0, 1.0) if value.new is None else _turns(value.new.value)
+    return None

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Any
 
+from turgor.core.solvers.procedures.procedure import DeckStep
 from turgor.core.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
 from turgor.foundation.errors import TurgorError
 
@@ -68,3 +69,9 @@ class ArcLength(StepOptions):
         from turgor.core.solvers.buckling.branch import follow_branch
 
         return follow_branch(problem, self, limit, self.branch)
+
+    def deck_step(self, program: str, relaxes: bool) -> DeckStep:
+        """Return the step of Riks, which CalculiX lacks."""
+        if program != "abaqus":
+            raise TurgorError("CalculiX follows no arc length; write for Abaqus, or export a job with static.")
+        return DeckStep("*STATIC, RIKS", ", which ends at the full load and not at load factors of at or a stretch")

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Any
 
+from turgor.core.solvers.procedures.procedure import DeckStep
 from turgor.core.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Severity
@@ -51,3 +52,8 @@ class Auto(StepOptions):
         from turgor.core.solvers.continuation.scalar_control.arc_length import Bounds
 
         return follow_auto(problem, self, Bounds(self.max_stretch, past=self.past))
+
+    def deck_step(self, program: str, relaxes: bool) -> DeckStep:
+        """Return the step of load control."""
+        keyword = "*STATIC, LONG TERM" if relaxes and program == "abaqus" else "*STATIC"
+        return DeckStep(keyword, ", which ends at a limit point")

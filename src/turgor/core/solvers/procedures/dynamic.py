@@ -7,7 +7,9 @@ from typing import Any
 from turgor.core.model.model import Model
 from turgor.core.solvers.energies import unbalanced
 from turgor.core.solvers.procedures.channel_flow import channel_target, closed_by_channels
+from turgor.core.solvers.procedures.procedure import DeckStep
 from turgor.core.solvers.procedures.time_options import TimeOptions
+from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding
 
 
@@ -86,3 +88,25 @@ class Dynamic(TimeOptions):
     def findings(self, states: Sequence[Any]) -> tuple[Finding, ...]:
         """Whether too much energy is missing (L05)."""
         return unbalanced(states)
+
+    def deck_step(self, program: str, relaxes: bool) -> DeckStep:
+        """Return an implicit step of Hilber, Hughes and Taylor, the relative of the generalized-α method there."""
+        if callable(self.velocity):
+            raise TurgorError("the velocity is a function, which has no form in .inp files; give three numbers.")
+        damping = (self.mass_damping, self.stiffness_damping)
+        if program == "calculix" and any(damping):
+            raise TurgorError(
+                "CalculiX has no damping in an implicit step; set mass_damping and stiffness_damping to 0, or write "
+                "for Abaqus."
+            )
+        first, longest, _ = self.step_bounds
+        alpha = -(1 - self.spectral_radius) / (1 + self.spectral_radius)  # of the same spectral radius
+        x, y, z = (float(part) for part in (self.velocity if self.velocity is not None else (0.0, 0.0, 0.0)))
+        return DeckStep(
+            f"*DYNAMIC, ALPHA={max(alpha, -1 / 3):.6g}",
+            ", which damps vibrations of single steps alike and not quite those between",
+            first=first,
+            most=longest,
+            damping=damping,
+            velocity=(x, y, z),
+        )

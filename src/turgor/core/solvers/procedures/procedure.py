@@ -6,12 +6,40 @@ What it leaves out has the default that stands here.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import inf
 from typing import Any, ClassVar
 
 from turgor.core.model.model import Model
 from turgor.core.solvers.procedures.channel_flow import refuse_channels
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
+
+
+@dataclass(frozen=True, slots=True)
+class DeckStep:
+    """The kind of step of an .inp file.
+
+    Parameters
+    ----------
+    keyword : str
+        The keyword with its options.
+    differs : str
+        How it differs from the procedure, after the keyword; empty where it is the same.
+    first, most : float
+        First and longest increment of time, where the procedure states them.
+    damping : (float, float)
+        Rayleigh's coefficients of the mass [1/s] and the stiffness [s].
+    velocity : (3,) floats [m/s]
+        Of the whole body at the start.
+    """
+
+    keyword: str
+    differs: str = ""
+    first: float = inf
+    most: float = inf
+    damping: tuple[float, float] = (0.0, 0.0)
+    velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 class Procedure:
@@ -100,6 +128,26 @@ class Procedure:
     def may_be_free(self, model: Model) -> bool:
         """Whether supports may leave rigid motions free."""
         return False
+
+    def deck_step(self, program: str, relaxes: bool) -> DeckStep:
+        """Return its step in .inp files.
+
+        Parameters
+        ----------
+        program : str
+            ``"abaqus"`` or ``"calculix"``.
+        relaxes : bool
+            Whether a rubber relaxes.
+
+        Raises
+        ------
+        TurgorError
+            If the program has none, or it seeks pressures, which the file must state.
+        """
+        raise TurgorError(
+            f"the procedure {type(self).__name__} seeks what .inp files must state; export a job with static, whose "
+            "pressures are those of a run of this one."
+        )
 
     @property
     def no_gradient(self) -> str:

@@ -7,6 +7,7 @@ from typing import Any
 from turgor.core.meshing.bodies.bodies import find_bodies
 from turgor.core.model.model import Model
 from turgor.core.solvers.energies import too_viscous
+from turgor.core.solvers.procedures.procedure import DeckStep
 from turgor.core.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding
@@ -65,3 +66,13 @@ class Stabilized(StepOptions):
     def findings(self, states: Sequence[Any]) -> tuple[Finding, ...]:
         """Whether the viscous forces took too much energy (L06)."""
         return too_viscous(states)
+
+    def deck_step(self, program: str, relaxes: bool) -> DeckStep:
+        """Return a step with viscous forces, which CalculiX lacks."""
+        if program != "abaqus":
+            raise TurgorError("CalculiX has no viscous forces in a static step; write for Abaqus, or take static.")
+        long_term = "LONG TERM, " if relaxes else ""
+        return DeckStep(
+            f"*STATIC, {long_term}STABILIZE={self.stabilization:g}",
+            ", whose viscous forces follow from the first increment and do not fade at the end",
+        )

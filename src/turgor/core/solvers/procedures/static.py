@@ -5,7 +5,12 @@ from typing import Any
 
 from turgor.core.model.model import Model
 from turgor.core.solvers.procedures.channel_flow import channel_target, closed_by_channels
+from turgor.core.solvers.procedures.procedure import DeckStep
 from turgor.core.solvers.procedures.step_options import StepOptions
+
+#: Largest difference of the creep strain in an increment of Abaqus [-]; rubber in actuators strains by a hundred times
+#: as much.
+CREEP_TOLERANCE = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,3 +66,11 @@ class Static(StepOptions):
         """Each cavity grows by what flows in."""
         assert self.duration is not None
         return channel_target(chambers, volumes, self.duration)
+
+    def deck_step(self, program: str, relaxes: bool) -> DeckStep:
+        """Return a static step: without a duration one so slow that everything has relaxed."""
+        if not relaxes or program != "abaqus":
+            return DeckStep("*STATIC")
+        if self.duration is None:
+            return DeckStep("*STATIC, LONG TERM")
+        return DeckStep(f"*VISCO, CETOL={CREEP_TOLERANCE:g}", most=self.max_step * self.duration)

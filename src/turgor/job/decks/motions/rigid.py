@@ -35,7 +35,7 @@ def points_of(path: Path, names: MeshNames, units: DeckUnits, account: Account) 
     """
     points: dict[str, dict[str, Any]] = {}
     for keyword in path.deck.model:
-        if keyword.name != "rigid body":
+        if keyword.name != "rigid body" or any(keyword is body for body, _ in path.deck.rigid_bodies):
             continue
         try:
             table = _point(path, names, keyword, units)
@@ -61,7 +61,7 @@ def _point(path: Path, names: MeshNames, keyword: Keyword, units: DeckUnits) -> 
     if any(isinstance(t, tuple) and t[0] == FORCE and t[1] in (reference, turned) for t in path.tracks.of):
         raise TurgorError("a force or moment on its nodes has no form here.")
     _check_freedoms(deck, {reference, turned})
-    shifts, turns = _ways(path, reference), _ways(path, turned)
+    shifts, turns = ways_of(path, reference), ways_of(path, turned)
     histories = {history for size, history in (*shifts.values(), *turns.values()) if size}
     if len(histories) > 1:
         raise TurgorError("its directions go different ways, and a reference point has one history.")
@@ -75,7 +75,7 @@ def _point(path: Path, names: MeshNames, keyword: Keyword, units: DeckUnits) -> 
     return values | _turn(turns) | history_values(histories.pop() if histories else RAMP)
 
 
-def _ways(path: Path, node: int) -> dict[int, Way]:
+def ways_of(path: Path, node: int) -> dict[int, Way]:
     """Prescribed directions of a node."""
     ways: dict[int, Way] = {freedom: (0.0, RAMP) for at, freedom in path.fixed if at == node}
     for target, track in path.tracks.of.items():

@@ -12,10 +12,10 @@ from turgor.accuracy.gradients.checks import depends_on_history
 from turgor.core.engine.algebra.rings import rings_of
 from turgor.core.engine.bonds.bond_results import bond_results
 from turgor.core.engine.system import System
+from turgor.core.inp.write_inp import write_inp
 from turgor.core.meshing.bodies.bodies import find_bodies
 from turgor.core.meshing.bodies.parted import partners
 from turgor.core.meshing.quality.self_contact import may_meet
-from turgor.core.model.write_inp import write_inp
 from turgor.reduced.training.assembly import check_reducible
 from turgor.units import mm
 

@@ -6,11 +6,11 @@ import pytest
 
 import turgor as tg
 from refused import refused
+from turgor.core.inp.materials import material_lines
 from turgor.core.materials.fitting.save import save_material
 from turgor.core.materials.history.softening import Mullins
 from turgor.core.materials.library.record_text import describe_material
 from turgor.core.materials.library.records import from_library
-from turgor.core.model.inp.materials import material_lines
 from turgor.job.output.lock import lock_text
 
 FLOWING = tg.laws.BergstromBoyce(stiffness=1.6, rate=0.125, stress=150e3, exponent=4.0, strain_exponent=-0.7)

@@ -8,6 +8,8 @@ import pytest
 
 import turgor as tg
 from refused import refused
+from turgor.core.inp.materials import material_lines
+from turgor.core.inp.write_inp import _static
 from turgor.core.materials.experiments.material_test import MaterialTest
 from turgor.core.materials.experiments.read_tests import read_test, read_tests
 from turgor.core.materials.experiments.test_edits import crop, thin
@@ -18,8 +20,6 @@ from turgor.core.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent
 from turgor.core.materials.library.record_text import describe_material
 from turgor.core.materials.library.records import from_library
 from turgor.core.materials.material import Material
-from turgor.core.model.inp.materials import material_lines
-from turgor.core.model.write_inp import _static
 from turgor.foundation.source import Source
 from turgor.job.output.lock import lock_text
 

@@ -5,6 +5,7 @@ import pytest
 
 import turgor as tg
 from refused import refused
+from turgor.core.inp.materials import material_lines
 from turgor.core.materials.experiments.material_test import MaterialTest
 from turgor.core.materials.fitting.fit_laws import fit
 from turgor.core.materials.fitting.law_specs import law_spec
@@ -16,7 +17,6 @@ from turgor.core.materials.laws.laws import BlatzKo, Hyperfoam
 from turgor.core.materials.laws.pull import pull
 from turgor.core.materials.laws.released import initial_poisson, released
 from turgor.core.materials.laws.stability import first_instability
-from turgor.core.model.inp.materials import material_lines
 from turgor.fast_models.formulas.formula import law_of
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job

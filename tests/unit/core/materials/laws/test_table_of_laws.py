@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 import turgor as tg
+from turgor.core.inp.materials import material_lines
 from turgor.core.materials.fitting.law_specs import law_spec
 from turgor.core.materials.laws.laws import LAWS, Woven
 from turgor.core.materials.orientation import Orientation
-from turgor.core.model.inp.materials import material_lines
 from turgor.foundation.errors import TurgorError
 
 ROOT = Path(__file__).parents[5]

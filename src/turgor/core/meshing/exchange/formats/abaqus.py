@@ -17,7 +17,9 @@ _SOLIDS = {4: "tetrahedron4", 10: "tetrahedron10", 8: "hexahedron8", 20: "hexahe
     15: "wedge15",
     5: "pyramid5",
 }
-_SHEETS = {3: "triangle3", 6: "triangle6", 4: "quadrilateral4", 8: "quadrilateral8", 9: "quadrilateral9"}
+_SHEETS = {3: "triangle3", 6: "triangle6", 4: "quadrilateral4", 8: "quadrilateral8", 9: "quadrilateral9"} | {
+    65: "triangle6",  # STRI65, of five degrees of freedom per node
+}
 
 _PLANE = ("CPE", "CPS", "CAX")
 

@@ -24,11 +24,13 @@ def initial_lines(model: Model) -> list[str]:
     Raises
     ------
     TurgorError
-        If states have different histories, or one is that of a sheet.
+        If states have different histories, or one is that of a sheet or a winding.
     """
-    for load in model.loads:
-        if load.of_bodies and load.place in model.membranes:
-            raise TurgorError(f"{load.label} is the state of a sheet, which has no form in .inp files; leave it out.")
+    windings = {fibers.name for fibers in model.reinforcements}
+    for load in (load for load in model.loads if load.of_bodies):
+        what = "sheet" if load.place in model.membranes else "winding" if load.place in windings else ""
+        if what:
+            raise TurgorError(f"{load.label} is the state of a {what}, which has no form in .inp files; leave it out.")
     histories = {load.history for load in model.loads if load.growth is not None}
     if len(histories) > 1:
         labels = " and ".join(load.label for load in model.loads if load.growth is not None)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from turgor.core.inp.context import Context
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.nodes.node_shares import areas, node_shares, side_shares
@@ -110,9 +111,9 @@ def _middle(mesh: Mesh, face: str) -> Array:
     return np.asarray(area @ corners.mean(axis=1) / area.sum())
 
 
-def point_lines(model: Model, points: Mapping[str, InpPoint], plain: Mapping[str, str]) -> Iterator[str]:
+def point_lines(context: Context, points: Mapping[str, InpPoint], plain: Mapping[str, str]) -> Iterator[str]:
     """Nodes, couplings and springs; ``plain`` has the names of the faces in the file."""
-    number = 2 * len(model.mesh.cells) + sum(len(model.mesh.face(name)) for name in model.membranes)
+    model = context.model
     for name, each in points.items():
         face = plain[each.point.face]
         place = ", ".join(f"{value:.12g}" for value in each.at / mm)
@@ -125,9 +126,8 @@ def point_lines(model: Model, points: Mapping[str, InpPoint], plain: Mapping[str
             yield from ("*KINEMATIC", "1, 3") if each.point.coupling == RIGID else ("*DISTRIBUTING", "1, 6")
         for axis, stiffness in enumerate(each.point.stiffness):
             if stiffness and axis not in each.mirrored:
-                number += 1
                 label = f"spring_{name}_{'xyz'[axis]}"
-                yield from (f"*ELEMENT, TYPE=SPRING1, ELSET={label}", f"{number}, {each.node}")
+                yield from (f"*ELEMENT, TYPE=SPRING1, ELSET={label}", f"{next(context.elements)}, {each.node}")
                 share = stiffness * mm / N / model.mesh.symmetry_factor
                 yield from (f"*SPRING, ELSET={label}", f"{axis + 1}", f"{share:.12g}")
 
@@ -211,8 +211,13 @@ class InpDeck:
 
     def fixed(self, face: str | NodesAt, directions: str) -> tuple[str, ...]:
         """Rows by which a face, or the nodes of a place, does not move in directions."""
-        named = [self.plain[face]] if isinstance(face, str) else self._written(face.nodes(self.mesh))
-        return tuple(f"{each}, {'xyz'.index(axis) + 1}" for each in named for axis in sorted(directions))
+        return tuple(f"{each}, {'xyz'.index(axis) + 1}" for each in self._named(face) for axis in sorted(directions))
+
+    def _named(self, place: str | NodesAt) -> list[str]:
+        """What rows of a face, a place or a reference point begin with."""
+        if isinstance(place, NodesAt):
+            return self._written(place.nodes(self.mesh))
+        return [str(self.points[place].node) if place in self.points else self.plain[place]]
 
     def _written(self, nodes: NDArray[np.int64]) -> list[str]:
         """Numbers of nodes in the file, which has hexahedra of 20 nodes."""
@@ -229,11 +234,9 @@ class InpDeck:
             return (f"{self.plain[face]}, {direction}",)
         return tuple(f"{node + 1}, {direction}" for node in free.tolist())
 
-    def displaced(self, point: str, vector: ArrayLike, directions: str) -> tuple[str, ...]:
-        """Rows of a displacement [m] of a reference point in directions."""
-        node, values = self.points[point].node, np.asarray(vector) / mm
-        axes = ["xyz".index(letter) for letter in directions]
-        return tuple(f"{node}, {k + 1}, {k + 1}, {values[k]:.12g}" for k in axes)
+    def displaced(self, place: str | NodesAt, axis: int, value: float) -> tuple[str, ...]:
+        """Rows by which a face, the nodes of a place or a reference point moves along an axis [m]."""
+        return tuple(f"{each}, {axis + 1}, {axis + 1}, {value / mm:.12g}" for each in self._named(place))
 
     def rotated(self, point: str, vector: ArrayLike) -> tuple[str, ...]:
         """Rows of a rotation vector [rad] of a reference point."""

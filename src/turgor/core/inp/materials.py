@@ -3,6 +3,8 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from turgor.core.inp.directions import fiber_lines
+from turgor.core.inp.history import history_lines, moduli_of
 from turgor.core.materials.laws.laws import (
     ArrudaBoyce,
     BlatzKo,
@@ -16,8 +18,6 @@ from turgor.core.materials.laws.laws import (
     YeohN,
 )
 from turgor.core.materials.material import Material
-from turgor.core.model.inp.directions import fiber_lines
-from turgor.core.model.inp.history import history_lines, moduli_of
 from turgor.foundation.errors import TurgorError
 from turgor.units import MPa
 
