@@ -80,13 +80,7 @@ class Tendon(Load):
         ) -> None: ...
 
     def __post_init__(self) -> None:
-        points = tuple(vector(point, f"point {i + 1} of a tendon", "length") for i, point in enumerate(self.through))
-        if len(points) < 2:
-            raise TurgorError(f"tendon: through has {len(points)} points; at least two are needed.")
-        for i, (one, two) in enumerate(pairwise(points)):
-            if np.allclose(one, two, rtol=0, atol=1e-9):
-                raise TurgorError(f"tendon: points {i + 1} and {i + 2} of through coincide; leave one out.")
-        object.__setattr__(self, "through", points)
+        object.__setattr__(self, "through", checked_guides(self.through, "tendon"))
         if (self.tension is None) == (self.pull is None):
             raise TurgorError("tendon: give either tension or pull, not both.")
         if (self.pull is None) != (self.cable_stiffness is None):
@@ -149,3 +143,20 @@ class Tendon(Load):
     def cable(self) -> "Tendon":
         """Itself."""
         return self
+
+
+def checked_guides(through: Sequence[Quantities], subject: str) -> tuple[Vector, ...]:
+    """Return points in SI units that a cable runs through.
+
+    Raises
+    ------
+    TurgorError
+        If there are fewer than two, or two neighbors coincide.
+    """
+    points = tuple(vector(point, f"{subject}: point {i + 1} of through", "length") for i, point in enumerate(through))
+    if len(points) < 2:
+        raise TurgorError(f"{subject}: through has {len(points)} points; at least two are needed.")
+    for i, (one, two) in enumerate(pairwise(points)):
+        if np.allclose(one, two, rtol=0, atol=1e-9):
+            raise TurgorError(f"{subject}: points {i + 1} and {i + 2} of through coincide; leave one out.")
+    return points
