@@ -24,7 +24,6 @@ class TendonTerm(CableTerm):
     Parameters
     ----------
     load : Tendon
-    laid : Laid
     tension : float
         Scaled tension at a share of one on the modeled part; 0 where the pull is given.
     stiffness, pull : float

@@ -21,7 +21,6 @@ class WireTerm(CableTerm):
     Parameters
     ----------
     load : ShapeMemoryWire
-    laid : Laid
     heating : tuple of ShapeMemoryWire
         All loads that heat the wire; what they warm it by adds up, as one fades and another one grows in a stage.
     unit : float [N]

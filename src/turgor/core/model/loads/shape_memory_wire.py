@@ -32,6 +32,7 @@ class ShapeMemoryWire(Load):
     through : sequence of (3,) floats [m]
         Points of the surface at rest, at least two.
     diameter : float [m]
+        Of the wire, without stress.
     alloy : str, ShapeMemoryAlloy or mapping
         Name of a published alloy, or its constants.
     strain : float
