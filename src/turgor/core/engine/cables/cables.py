@@ -27,7 +27,7 @@ def cable_terms(setting: Setting) -> list[CableTerm]:
         if isinstance(load, ShapeMemoryWire):
             out.append(WireTerm(load=load, laid=laid, heating=tuple(loads), unit=force))
         else:
-            out += [TendonTerm.of(each, laid, length, force) for each in loads]
+            out.append(TendonTerm.of(loads, laid, length, force))
     return out
 
 
@@ -40,23 +40,20 @@ def terms_of(model: Model) -> list[CableTerm]:
 
 
 def _by_cable(model: Model) -> Mapping[tuple[str, str], list[Any]]:
-    """Loads on each cable, by the kind and the place of their loads.
+    """Loads on each cable, by their kind and place.
 
     Raises
     ------
     TurgorError
-        If two wires have one name.
+        If two loads on a cable contradict each other.
     """
     cables: dict[tuple[str, str], list[Any]] = {}
     for load in model.loads:
         if load.cable is None:
             continue
         cables.setdefault((load.kind, load.place), []).append(load)
-    for (_, name), loads in cables.items():
+    for loads in cables.values():
         for load in loads[1:]:
-            if isinstance(load, ShapeMemoryWire) and not load.of_same(loads[0]):
-                raise TurgorError(
-                    f"wire '{name}' is stated twice with different numbers; give each wire a name of its own. A stage "
-                    "that heats a wire repeats its through, diameter, alloy, strain and rest."
-                )
+            if not load.of_same(loads[0]):
+                raise TurgorError(f"{load.label} is stated twice with different numbers; {load.alone}")
     return cables

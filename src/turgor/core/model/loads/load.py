@@ -291,6 +291,11 @@ class Load:
         return None
 
     @property
+    def path_dependent(self) -> str:
+        """What depends on all states before, such as the friction of a cable; empty where nothing does."""
+        return ""
+
+    @property
     def channel(self) -> Any:
         """The load, if it is a channel between cavities; None of other loads."""
         return None

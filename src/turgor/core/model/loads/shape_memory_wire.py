@@ -154,6 +154,19 @@ class ShapeMemoryWire(Load):
         """Return by how much it is warmer than at rest at a load factor [K]."""
         return self.share(load_factor) * (self.temperature - self.rest)
 
+    @property
+    def path_dependent(self) -> str:
+        """Its martensite."""
+        return "the martensite of a wire"
+
+    @property
+    def alone(self) -> str:
+        """What to do where two loads contradict each other."""
+        return (
+            "give each wire a name of its own. A stage that heats a wire repeats its through, diameter, alloy, strain "
+            "and rest."
+        )
+
     def of_same(self, other: "ShapeMemoryWire") -> bool:
         """Whether two loads heat one wire."""
         return all(
