@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from turgor.core.results.measures.contact_measures import maximum_contact_pressure as maximum_contact_pressure
     from turgor.core.results.measures.contact_measures import moment_on as moment_on
     from turgor.core.results.measures.contact_measures import pull_distance as pull_distance
+    from turgor.core.results.measures.fiber_measures import cable_end_tension as cable_end_tension
     from turgor.core.results.measures.fiber_measures import cable_tension as cable_tension
     from turgor.core.results.measures.fiber_measures import cable_travel as cable_travel
     from turgor.core.results.measures.fiber_measures import maximum_fiber_tension as maximum_fiber_tension

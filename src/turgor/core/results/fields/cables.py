@@ -86,6 +86,11 @@ def largest_tension(at: StateFields) -> float:
     return float(max(each.tension[0] for each in _some(at)))
 
 
+def end_tension(at: StateFields) -> float:
+    """Smallest tension of a cable at its end [N]."""
+    return float(min(each.tension[-1] for each in _some(at)))
+
+
 def largest_travel(at: StateFields) -> float:
     """By how much the way of a cable through its guides is shorter than at rest [m], the largest."""
     return float(max(each.travel for each in _some(at)))

@@ -1,6 +1,7 @@
 """Measures of fibers and cables: tensions, how hard a winding holds the body, how far a cable is drawn in."""
 
 from turgor.core.results.fields.cables import (
+    end_tension,
     largest_tension,
     largest_travel,
     wire_martensite_of,
@@ -23,6 +24,10 @@ winding_force_per_length = Measure(
 cable_tension = Measure(
     name="cable_tension", unit="N", function=largest_tension,
     definition="tension of a cable at its motor, the largest of several",
+)  # fmt: skip
+cable_end_tension = Measure(
+    name="cable_end_tension", unit="N", function=end_tension,
+    definition="tension of a cable at its end, which friction leaves, the smallest of several",
 )  # fmt: skip
 cable_travel = Measure(
     name="cable_travel", unit="mm", function=largest_travel,
