@@ -7,6 +7,7 @@ from turgor.foundation.lazy_names import public
 if TYPE_CHECKING:
     from turgor.core.materials.alloys.alloy import ShapeMemoryAlloy as ShapeMemoryAlloy
     from turgor.core.model.history import over_time as over_time
+    from turgor.core.model.layer_stack import LayerStack as LayerStack
     from turgor.core.model.loads import BodyForce as BodyForce
     from turgor.core.model.loads import Channel as Channel
     from turgor.core.model.loads import Force as Force

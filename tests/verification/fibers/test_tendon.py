@@ -6,7 +6,7 @@ section, however far it bends, so that the angle is φ = T e L / EI; with fricti
 the angle is ln(1 + μ φ) / μ (thin bar, no stretch of the axis). Between guides at a distance d the cable is a chord of
 the inner arc, on average d² / 12R farther from the axis: φ = T e L / (EI − T d² / 12). The angle is read at 75 mm,
 between two guides, because the rubber gives way where the cable presses and ends.
-Friction that turns round: a cable over the corner of three guides. Pulled, the tension beyond the corner is T exp(−μ θ).
+Friction that turns round: a cable over the corner of three guides. Pulled, the tension beyond it is T exp(−μ θ).
 Let go, it stays as long as the motor's is above exp(−2 μ θ) of the largest one, but for the elastic slip; then it is
 T exp(μ θ).
 Tolerance: 2 %: the axis is 1 % shorter. A cable that is drawn in and one with the same tension: 1e-5; a half model and
