@@ -3,7 +3,7 @@
 Problem: a cantilever of 6 layers, modeled as one body, is bent by a force at its end, jams there, and is bent further.
 Exact: F L³ / 3 E I of a slender beam, with E I of six loose layers, then 36 times as much. Released, the loose layers
 pull back and the jammed ones hold: of the first deflection 35/36 stays.
-Tolerance: 2 % for the loose beam (the clamp keeps its section from narrowing), 1 % for ratios of deflections of the same beam.
+Tolerance: 2 % for the loose beam (the clamp keeps its section from narrowing), 1 % for ratios of deflections.
 """
 
 import pytest

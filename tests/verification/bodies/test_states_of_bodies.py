@@ -105,7 +105,7 @@ def test_two_layers_bend_as_timoshenko_says(record_verification):
 
 
 def test_heat_bends_two_layers_of_unequal_stiffness(record_verification):
-    """Timoshenko (1925), eq. 4, with equal thickness and n = 4 times the stiffness below: κ = 24 ε / (h (14 + n + 1/n))."""
+    """Timoshenko (1925), eq. 4, equal thickness, n = 4 times the stiffness below: κ = 24 ε / (h (14 + n + 1/n))."""
     stiff = problems.rubber(tg.laws.NeoHooke(C10=4 * C10))
     state = problems.solve(_strip(Temperature("high", "30 °C", expansion=2e-4), stiff)).states[-1]
     exact = -24 * 0.002 / (2e-3 * (14 + 4 + 1 / 4))
@@ -224,3 +224,12 @@ def test_energy_of_a_state_is_in_the_balance_of_a_motion():
     energies = problems.solve(model, tg.Dynamic(duration=0.05, accuracy=1e-3)).states[-1].energies
     assert energies.strain == pytest.approx(problems.energy(problems.solve(model).states[-1]), rel=1e-3)
     assert abs(energies.missing) < 1e-3 * energies.strain
+
+
+def test_a_body_on_stiff_paper_melts_before_any_load():
+    """Nothing moves, and what paper leaves is round-off, which there is no force to compare with."""
+    mesh = meshes.box((0.04, 0.01, 0.01), (4, 1, 1), kind=HEXAHEDRON)
+    paper = tg.Shell(tg.Material(name="paper", law=tg.laws.Hooke(E=1e10, nu=0.3)), 5e-4)
+    model = tg.Model(mesh, {"body": RUBBER, "z0": paper}, ["x0"], [Stiffness("body", 1e-3)])
+    solution = problems.solve(model, tg.Static(first_step=1.0))
+    assert solution.complete and np.abs(solution.states[-1].displacement).max() < 1e-9

@@ -19,6 +19,7 @@ import problems
 import turgor as tg
 from turgor.core.materials.alloys.phases import Phases, WireStep
 from turgor.core.meshing.cells import HEXAHEDRON
+from turgor.core.model.continued_model import continued
 from turgor.units import MPa, mm
 
 ZERO = 273.15
@@ -171,3 +172,19 @@ def test_a_wire_lifts_a_weight_and_lets_it_down(record_verification):
     (result,) = tg.measures.cable_results(ends["heat"])
     assert result.name == "wire" and result.phases.martensite == 0
     assert result.tension[0] == pytest.approx(result.phases.stress * SECTION)
+
+
+def test_a_wire_without_heat_stays_in_later_stages():
+    mesh = meshes.box(BAR, (2, 1, 1), kind=HEXAHEDRON)
+    cooled = wire(80, history=((0, 0), (0.5, 1), (1, 0)))
+    model = tg.Model(mesh, {"body": RUBBER}, ["x0"], [cooled, tg.Traction("x1", (1.0, 0, 0), history=cooled.history)])
+    (left,) = continued(model, (1.0, {}), []).loads
+    assert left.name == "wire" and left.warming(1.0) == 0
+
+
+def test_two_wires_of_one_name_are_refused():
+    mesh = meshes.box(BAR, (2, 1, 1), kind=HEXAHEDRON)
+    model = tg.Model(mesh, {"body": RUBBER}, ["x0"], [wire(80), wire(80, diameter=0.1 * mm)])
+    with pytest.raises(tg.TurgorError) as error:
+        tg.solve(model)
+    assert "ShapeMemoryWire(wire) is stated twice" in str(error.value)

@@ -74,7 +74,9 @@ def stagnates(system: System, at: Evaluation, residuals: Sequence[float]) -> boo
     Positions are rounded, and the stiffness makes forces of that; the most that this can leave is estimated.
     """
     last = residuals[-CONVERGENCE.stagnating_updates :]
-    if len(residuals) <= CONVERGENCE.stagnating_updates or max(last) > CONVERGENCE.round_off_below:
+    if len(residuals) <= CONVERGENCE.stagnating_updates:
+        return False
+    if max(last) > CONVERGENCE.round_off_below and not nothing_acts(system, at):
         return False
     if min(last) < 0.5 * min(residuals[: -CONVERGENCE.stagnating_updates]):
         return False
