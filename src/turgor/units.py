@@ -128,6 +128,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "share": MappingProxyType({"1": 1.0, "%": 0.01}),
         "expansion": MappingProxyType({"1/K": 1.0, "1/°C": 1.0, "ppm/K": 1e-6}),
         "heat conductance": MappingProxyType({"W/K": 1.0, "mW/K": 1e-3}),
+        "stress per temperature": MappingProxyType({"Pa/K": 1.0, "MPa/K": MPa, "MPa/°C": MPa}),
     }
 )
 
@@ -164,6 +165,7 @@ EXAMPLES: Mapping[str, str] = MappingProxyType(
         "share": "0.3 %",
         "expansion": "3e-4 1/K",
         "heat conductance": "5 mW/K",
+        "stress per temperature": "8 MPa/K",
     }
 )
 

@@ -5,7 +5,9 @@ from typing import TYPE_CHECKING
 from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
+    from turgor.core.materials.alloys.alloy import ShapeMemoryAlloy as ShapeMemoryAlloy
     from turgor.core.model.history import over_time as over_time
+    from turgor.core.model.layer_stack import LayerStack as LayerStack
     from turgor.core.model.loads import BodyForce as BodyForce
     from turgor.core.model.loads import Centrifugal as Centrifugal
     from turgor.core.model.loads import Channel as Channel
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
     from turgor.core.model.loads import PointForce as PointForce
     from turgor.core.model.loads import Pressure as Pressure
     from turgor.core.model.loads import PreStretch as PreStretch
+    from turgor.core.model.loads import ShapeMemoryWire as ShapeMemoryWire
     from turgor.core.model.loads import Shrinkage as Shrinkage
     from turgor.core.model.loads import Stiffness as Stiffness
     from turgor.core.model.loads import Swelling as Swelling

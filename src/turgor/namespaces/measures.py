@@ -6,6 +6,8 @@ from turgor.foundation.lazy_names import public
 
 if TYPE_CHECKING:
     from turgor.core.engine.mass import total_mass as total_mass
+    from turgor.core.results.fields.cables import CableResult as CableResult
+    from turgor.core.results.fields.cables import cable_results as cable_results
     from turgor.core.results.fields.contact import ContactResult as ContactResult
     from turgor.core.results.fields.contact import contact_results as contact_results
     from turgor.core.results.fields.fibers import FiberResult as FiberResult
@@ -27,10 +29,14 @@ if TYPE_CHECKING:
     from turgor.core.results.measures.contact_measures import maximum_contact_pressure as maximum_contact_pressure
     from turgor.core.results.measures.contact_measures import moment_on as moment_on
     from turgor.core.results.measures.contact_measures import pull_distance as pull_distance
+    from turgor.core.results.measures.fiber_measures import cable_end_tension as cable_end_tension
     from turgor.core.results.measures.fiber_measures import cable_tension as cable_tension
     from turgor.core.results.measures.fiber_measures import cable_travel as cable_travel
     from turgor.core.results.measures.fiber_measures import maximum_fiber_tension as maximum_fiber_tension
     from turgor.core.results.measures.fiber_measures import winding_force_per_length as winding_force_per_length
+    from turgor.core.results.measures.fiber_measures import wire_martensite as wire_martensite
+    from turgor.core.results.measures.fiber_measures import wire_stress as wire_stress
+    from turgor.core.results.measures.fiber_measures import wire_temperature as wire_temperature
     from turgor.core.results.measures.field_measures import maximum_principal_stretch as maximum_principal_stretch
     from turgor.core.results.measures.field_measures import maximum_von_mises as maximum_von_mises
     from turgor.core.results.measures.field_measures import principal_stretch_in as principal_stretch_in

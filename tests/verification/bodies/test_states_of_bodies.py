@@ -78,14 +78,14 @@ def test_bar_that_was_stretched_pulls_at_its_clamps(record_verification):
     assert float(problems.fields(state).stretch.max()) == pytest.approx(1.3, rel=1e-9)
 
 
-def _strip(load):
+def _strip(load, low=RUBBER):
     length, height = 40e-3, 2e-3
     mesh = meshes.box((length, 2e-3, height), (10, 1, 2), kind=HEXAHEDRON)
     upper = mesh.points[mesh.cells].mean(axis=1)[:, 2] > height / 2
     mesh = dataclasses.replace(mesh, regions={"low": np.flatnonzero(~upper), "high": np.flatnonzero(upper)})
     mesh = meshes.with_faces(mesh, pin=meshes.single_node(meshes.node_at(mesh, (0, 0, 0)), 9))
     supports = [tg.Fixed("x0", "x"), tg.Fixed("y0", "y"), tg.Fixed("pin", "z")]
-    return tg.Model(mesh, {"low": RUBBER, "high": RUBBER}, supports, [load])
+    return tg.Model(mesh, {"low": low, "high": RUBBER}, supports, [load])
 
 
 def _curvature(state):
@@ -99,6 +99,18 @@ def test_two_layers_bend_as_timoshenko_says(record_verification):
     exact = 1.5 * 0.002 / 2e-3
     record_verification(
         claim="curvature of two layers, one of which shrinks by 0.2 % [1/m]", source="Timoshenko (1925)",
+        expected=exact, got=_curvature(state), tolerance="1 %",
+    )  # fmt: skip
+    assert _curvature(state) == pytest.approx(exact, rel=0.01)
+
+
+def test_heat_bends_two_layers_of_unequal_stiffness(record_verification):
+    """Timoshenko (1925), eq. 4, equal thickness, n = 4 times the stiffness below: κ = 24 ε / (h (14 + n + 1/n))."""
+    stiff = problems.rubber(tg.laws.NeoHooke(C10=4 * C10))
+    state = problems.solve(_strip(Temperature("high", "30 °C", expansion=2e-4), stiff)).states[-1]
+    exact = -24 * 0.002 / (2e-3 * (14 + 4 + 1 / 4))
+    record_verification(
+        claim="curvature of two layers, the softer of which is 10 K warmer [1/m]", source="Timoshenko (1925)",
         expected=exact, got=_curvature(state), tolerance="1 %",
     )  # fmt: skip
     assert _curvature(state) == pytest.approx(exact, rel=0.01)
@@ -212,3 +224,12 @@ def test_energy_of_a_state_is_in_the_balance_of_a_motion():
     energies = problems.solve(model, tg.Dynamic(duration=0.05, accuracy=1e-3)).states[-1].energies
     assert energies.strain == pytest.approx(problems.energy(problems.solve(model).states[-1]), rel=1e-3)
     assert abs(energies.missing) < 1e-3 * energies.strain
+
+
+def test_a_body_on_stiff_paper_melts_before_any_load():
+    """Nothing moves, and what paper leaves is round-off, which there is no force to compare with."""
+    mesh = meshes.box((0.04, 0.01, 0.01), (4, 1, 1), kind=HEXAHEDRON)
+    paper = tg.Shell(tg.Material(name="paper", law=tg.laws.Hooke(E=1e10, nu=0.3)), 5e-4)
+    model = tg.Model(mesh, {"body": RUBBER, "z0": paper}, ["x0"], [Stiffness("body", 1e-3)])
+    solution = problems.solve(model, tg.Static(first_step=1.0))
+    assert solution.complete and np.abs(solution.states[-1].displacement).max() < 1e-9

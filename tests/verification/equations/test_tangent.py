@@ -52,6 +52,9 @@ STATES = (
 GUIDES = ((7.5e-5, 5.3e-3, 10e-3), (10.075e-3, 5.3e-3, 10.3e-3), (20.012e-3, 2.3e-3, 11.2e-3))
 PULLED = tg.loads.Tendon(through=GUIDES, tension=5.0)
 DRAWN = tg.loads.Tendon(through=GUIDES, pull=4e-3, cable_stiffness=2e3, friction=0.4)
+WIRE = tg.loads.ShapeMemoryWire(
+    through=GUIDES, diameter=2e-4, alloy="nitinol-brinson-1993", strain=0.04, temperature="80 °C"
+)
 TILTED = {"density": 3e5, "level": 0.05, "direction": (0.3, -1, 0.5)}
 WATER = tuple(tg.loads.HydrostaticPressure(face=side, **TILTED) for side in meshes.SIDES)
 FLOAT = (tg.loads.HydrostaticPressure(face="z1", free_surface=True, **TILTED | {"level": -0.005}),)
@@ -59,6 +62,7 @@ NETWORK = (*STATES[:2], tg.loads.Hardening("body", 1.5))
 CASES = {
     "tendon": (problems.NEO_HOOKE, np.inf, None, (PULLED,)),
     "tendon with friction, drawn in": (problems.NEO_HOOKE, np.inf, None, (DRAWN,)),
+    "shape-memory wire": (problems.NEO_HOOKE, np.inf, None, (WIRE,)),
     "neo-Hookean, incompressible": (problems.NEO_HOOKE, np.inf, None, ()),
     "Mooney-Rivlin, compressible": (tg.laws.MooneyRivlin(C10=1e4, C01=9e4), 1e6, None, ()),
     "Yeoh, incompressible": (tg.Yeoh(C10=1e5, C20=2e4, C30=-1e3), np.inf, None, ()),

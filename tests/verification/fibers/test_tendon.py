@@ -6,6 +6,9 @@ section, however far it bends, so that the angle is φ = T e L / EI; with fricti
 the angle is ln(1 + μ φ) / μ (thin bar, no stretch of the axis). Between guides at a distance d the cable is a chord of
 the inner arc, on average d² / 12R farther from the axis: φ = T e L / (EI − T d² / 12). The angle is read at 75 mm,
 between two guides, because the rubber gives way where the cable presses and ends.
+Friction that turns round: a cable over the corner of three guides. Pulled, the tension beyond it is T exp(−μ θ).
+Let go, it stays as long as the motor's is above exp(−2 μ θ) of the largest one, but for the elastic slip; then it is
+T exp(μ θ).
 Tolerance: 2 %: the axis is 1 % shorter. A cable that is drawn in and one with the same tension: 1e-5; a half model and
 the whole: 1e-6.
 """
@@ -89,6 +92,58 @@ def test_a_cable_that_is_drawn_in_has_the_tension_of_its_stretch(friction):
     stretch = TENSION * left.mean() / stiffness
     drawn = state_with(pull=LENGTH - cable_length(pulled) + stretch, cable_stiffness=stiffness, friction=friction)
     assert angle(drawn) == pytest.approx(angle(pulled), rel=1e-5)
+
+
+CORNER = ((0, 5 * MM, 10 * MM), (10 * MM, 5 * MM, 10 * MM), (10 * MM, 10 * MM, 10 * MM))
+UP_AND_DOWN = ((0, 0), (0.4, 1), (0.6, 0.6), (1, 0.2))
+
+
+@pytest.mark.parametrize(
+    "drive", [{"tension": 2.0}, {"pull": 3 * MM, "cable_stiffness": 2e3}], ids=["tension", "length drawn in"]
+)
+def test_friction_turns_round_where_the_motor_lets_go(drive, record_verification):
+    cable = tg.loads.Tendon(through=CORNER, friction=0.3, history=UP_AND_DOWN, **drive)
+    solution = problems.solve(_block([cable]), tg.Static(at=[0.2, 0.4, 0.6, 1.0]))
+    assert solution.complete
+    got = {round(state.load_factor, 6): _corner(state) for state in solution.states}
+    for at, sign in ((0.2, -1), (0.4, -1), (1.0, 1)):
+        first, second, turn = got[at]
+        record_verification(
+            claim=f"tension beyond a corner over that before it, load factor {at} of {', '.join(drive)}",
+            source="Euler and Eytelwein", expected=float(np.exp(sign * 0.3 * turn)), got=second / first,
+            tolerance="1e-6",
+        )  # fmt: skip
+        assert second / first == pytest.approx(np.exp(sign * 0.3 * turn), rel=1e-6)
+    last = solution.states[-1]
+    assert tg.measures.cable_end_tension(last) == pytest.approx(_corner(last)[1])
+    (_, pulled, turn), (first, stuck, _) = got[0.4], got[0.6]
+    if "tension" in drive:
+        assert np.exp(-0.3 * turn) < stuck / first < np.exp(0.3 * turn)
+        assert 0.9 * pulled < stuck < pulled  # the corner has slipped elastically
+
+
+def _block(loads):
+    mesh = meshes.box((20 * MM, 10 * MM, 10 * MM), (2, 2, 1), kind=HEXAHEDRON)
+    return problems.one_material(mesh, problems.NEO_HOOKE, supports=[tg.Fixed("x0")], loads=loads)
+
+
+def _corner(state):
+    """Tension before and beyond the corner [N], and the turn there."""
+    (result,) = tg.measures.cable_results(state)
+    before, after = np.diff(result.guides, axis=0)
+    turn = np.arccos(before @ after / np.linalg.norm(before) / np.linalg.norm(after))
+    return (*(float(each) for each in result.tension), float(turn))
+
+
+def test_a_stage_lets_a_cable_go():
+    """A cable that is let go in a stage of its own is one cable, and its friction goes on."""
+    cables = [tg.loads.Tendon(through=CORNER, tension=tension, friction=0.3) for tension in (2.0, 0.9)]
+    stages = tg.Stages([tg.Stage("pull", loads=cables[:1]), tg.Stage("let go", loads=cables[1:])])
+    first, second, turn = _corner(problems.solve(_block([]), stages).states[-1])
+    once = tg.loads.Tendon(through=CORNER, tension=2.0, friction=0.3, history=((0, 0), (0.5, 1), (1, 0.45)))
+    at_once = _corner(problems.solve(_block([once])).states[-1])
+    assert (first, second, turn) == pytest.approx(at_once, rel=1e-3)
+    assert first == pytest.approx(0.9) and second > 1.1 * first * np.exp(-0.3 * turn)
 
 
 def test_results_show_the_cable_with_its_tension():

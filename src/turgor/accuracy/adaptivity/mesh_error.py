@@ -181,6 +181,9 @@ def why_not(solution: Solution) -> str:
         return "liquid flows through a channel, and every state depends on all before it"
     if solution.model.bonds:
         return f"the bond '{solution.model.bonds[0].name}' is damaged, and every state depends on all before it"
+    path_dependent = next((load.path_dependent for load in solution.model.loads if load.path_dependent), "")
+    if path_dependent:
+        return f"{path_dependent}, and with it every state, depends on all states before it"
     if solution.model.mesh.cells.shape[1] == 20:
         return "cells of 20 nodes cannot be cut"
     return "" if len(solution.states) > 1 else "there is no state but the one at rest"

@@ -73,6 +73,9 @@ def depends_on_history(solution: Solution, state: State) -> str:
     if state.model.bonds:
         bond = state.model.bonds[0].name
         return f"the bond '{bond}' is damaged, and every state depends on all before it; leave it out"
+    path_dependent = next((load.path_dependent for load in state.model.loads if load.path_dependent), "")
+    if path_dependent:
+        return f"{path_dependent}, and with it every state, depends on all states before it"
     if len(procedures) > 1 and any(each.requested is not None for each in procedures):
         return "pressures were found in one stage and act in another; take one stage, or state the pressures"
     return ""

@@ -333,8 +333,8 @@ class System:
 
     @property
     def remembers(self) -> bool:
-        """Whether rubber or a bond remembers, so that a state depends on all before it."""
-        return self.materials.remembers or bool(self.terms.bonds)
+        """Whether rubber, a bond or a cable remembers, so that a state depends on all before it."""
+        return self.materials.remembers or bool(self.terms.remembering)
 
     def history(self, memory: Memory | None = None, step: float = 0.0) -> History:
         """Memory that a state brings into a step of a length [s]; None is the state at rest.

@@ -58,8 +58,8 @@ class Configuration:
     load_factor : float
     unknown_pressures : (k,) array or None
         Scaled pressures of the controlled faces.
-    bonds : mapping of str to (2, k, q) array
-        Internal variables of bonds at the start of the step; those at rest where a bond is left out.
+    bonds : mapping of str to array
+        Internal variables of bonds and cables at the start of the step; those at rest where one is left out.
     """
 
     position: Array
@@ -88,6 +88,15 @@ class Term(Protocol):
     def symmetric(self) -> bool:
         """Whether the forces have a potential; if not, `skew` gives the rest of the tangent."""
         return True
+
+    @property
+    def memory_key(self) -> str:
+        """Key of its internal variables in a memory; empty where it has none."""
+        return ""
+
+    def remembered(self, at: Configuration) -> Array:
+        """Internal variables at the end of a step."""
+        return np.empty(0)
 
     def at(self, load_factor: float) -> Self:
         """Return the term at a load factor; most terms are the same at all of them."""

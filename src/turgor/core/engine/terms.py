@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.core.engine.bonds.bond_term import BondTerm, bond_terms
+from turgor.core.engine.cables.cables import cable_terms
 from turgor.core.engine.cells.centrifugal_term import centrifugal_terms
 from turgor.core.engine.cells.internal_variables import NOTHING
 from turgor.core.engine.faces.dead_loads import dead_terms
@@ -17,7 +18,6 @@ from turgor.core.engine.faces.pressure_term import PressureTerm, pressure_terms
 from turgor.core.engine.faces.states.sheet_state_term import sheet_state_terms
 from turgor.core.engine.faces.thrust_term import ThrustTerm, thrust_terms
 from turgor.core.engine.fibers.fiber_term import fiber_terms
-from turgor.core.engine.fibers.tendon_term import tendon_terms
 from turgor.core.engine.liquids.liquid_term import liquid_terms
 from turgor.core.engine.points.average_term import average_terms
 from turgor.core.engine.points.bearing_term import bearing_terms
@@ -42,7 +42,7 @@ TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     plate_terms,
     foundation_terms,
     fiber_terms,
-    tendon_terms,
+    cable_terms,
     dead_terms,
     rigid_terms,
     average_terms,
@@ -110,8 +110,13 @@ class Terms:
 
     @property
     def bonds(self) -> list[BondTerm]:
-        """The terms with internal variables."""
+        """The terms of bonds."""
         return [term for term in self.all if isinstance(term, BondTerm)]
+
+    @property
+    def remembering(self) -> list[Term]:
+        """The terms with internal variables: bonds, wires and cables with friction."""
+        return [term for term in self.all if term.memory_key]
 
     def energy(self, position: Array, load_factor: float, bonds: Mapping[str, Array] = NOTHING) -> float:
         """Scaled energy that all terms store, with internal variables of bonds; those at rest if none are given."""
@@ -119,8 +124,8 @@ class Terms:
         return stored + sum(term.stored(position, bonds.get(term.name)) for term in self.bonds)
 
     def remembered(self, at: Configuration) -> dict[str, Array]:
-        """Internal variables of the bonds at the end of a step."""
-        return {term.name: term.remembered(at) for term in self.bonds}
+        """Internal variables of the terms at the end of a step."""
+        return {term.memory_key: term.remembered(at) for term in self.remembering}
 
     def stresses(
         self, at: Configuration, update: Array | None = None, last: Sequence[Array] | None = None

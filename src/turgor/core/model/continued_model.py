@@ -93,7 +93,7 @@ def continued(
             out.append(_pressure(face, pressure, stated.get(face)))
     for load in _others(model.loads):
         share = load.share(factor)
-        if share:
+        if share or (load.lasting and (load.kind, load.place) not in new):
             out.append(load.continued(share, new.get((load.kind, load.place))))
     out += _others(loads)
     moved = _by_support(model, displacements)

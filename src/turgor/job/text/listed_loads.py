@@ -207,6 +207,8 @@ def _key(item: Field[Any]) -> str:
 
 def _type_of(item: Field[Any]) -> Any:
     dimension = item.metadata.get("dimension", "")
+    if item.metadata.get("table"):
+        return Annotated[Any, Says("text or table", item.metadata["example"])]
     if item.metadata.get("points"):
         read = BeforeValidator(partial(_points, dimension=dimension))
         return Annotated[Any, read, Says("text or list of points", _POINTS)]
@@ -258,6 +260,8 @@ def _written(load: Any) -> dict[str, Any]:
 def _shown(value: Any, dimension: str, points: bool = False) -> Any:
     if isinstance(value, str):
         return value
+    if hasattr(value, "table"):
+        return value.table()
     if points:
         return [[_shown(first, dimension), second] for first, second in value]
     if isinstance(value, tuple):

@@ -25,7 +25,8 @@ CAPTIONS = {
 def pictured(of: Solution) -> tuple[str, ...]:
     """Return which pictures `path_figures` draws of a path, by the keys of `CAPTIONS`."""
     touches = any(touch.area > 0 for touch in of.states[-1].touches.values())
-    damaged = any(values[0].any() for values in bonds_of(of.states[-1].memory).values())
+    known = bonds_of(of.states[-1].memory)
+    damaged = any(known[bond.name][0].any() for bond in of.model.bonds if bond.name in known)
     kinds = {"undeformed": True, "deformed": len(of.states) > 1, "contact": touches, "bonds": damaged}
     return tuple(kind for kind, drawn in kinds.items() if drawn)
 

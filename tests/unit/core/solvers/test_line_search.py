@@ -10,7 +10,7 @@ from turgor.core.solvers.newton.settings import LINE_SEARCH
 
 SYSTEM = SimpleNamespace(
     contact=SimpleNamespace(shortening=lambda old, new: 1.0),
-    terms=SimpleNamespace(bonds=()),
+    terms=SimpleNamespace(remembering=()),
     moving=np.array([True, True, False]),
     prescribed=np.array([False, True, False]),
 )

@@ -72,6 +72,11 @@ class BondTerm(Term):
     unit: float
 
     @property
+    def memory_key(self) -> str:
+        """Name of the bond."""
+        return self.name
+
+    @property
     def couples(self) -> bool:
         """Nodes of two bodies are tied."""
         return True

@@ -58,8 +58,9 @@ class Memory:
         Of each part of the contact; empty without friction.
     flow : mapping of str to (k, c, q, 10) array
         Of regions with k networks that flow: F_v⁻¹, and the plastic strain.
-    bonds : mapping of str to (2, k, q) array
-        Of each bond at the points of its k sides: damage, and energy per area [J/m²] that it has taken.
+    bonds : mapping of str to array
+        Of each bond at the points of its k sides, (2, k, q): damage, and energy per area [J/m²] that it has taken. Of
+        each cable, by ``"cable "`` and its name: the phases of a shape-memory wire, or the friction at its guides.
     """
 
     stress: Mapping[str, Array]
@@ -209,8 +210,8 @@ class History:
         Of each region that relaxes or softens.
     friction : tuple of (FrictionHistory or None)
         Of each part of the contact, from which its points slip; empty without friction.
-    bonds : mapping of str to (2, k, q) array
-        Of each bond; see `Memory`.
+    bonds : mapping of str to array
+        Of each bond and cable; see `Memory`.
     """
 
     regions: Mapping[str, RegionMemory]
@@ -243,7 +244,7 @@ def joined_memory(
 
 
 def bonds_of(memory: Memory | None) -> Mapping[str, Array]:
-    """The internal variables of bonds in a memory; empty where there are none."""
+    """The internal variables of bonds and cables in a memory; empty where there are none."""
     return NOTHING if memory is None else memory.bonds
 
 

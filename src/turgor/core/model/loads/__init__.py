@@ -21,6 +21,7 @@ from turgor.core.model.loads.point_force import PointForce as PointForce
 from turgor.core.model.loads.pre_stretch import PreStretch as PreStretch
 from turgor.core.model.loads.pressure import Pressure as Pressure
 from turgor.core.model.loads.pressure import pressures_among as pressures_among
+from turgor.core.model.loads.shape_memory_wire import ShapeMemoryWire as ShapeMemoryWire
 from turgor.core.model.loads.shrinkage import Shrinkage as Shrinkage
 from turgor.core.model.loads.stiffness import Stiffness as Stiffness
 from turgor.core.model.loads.swelling import Swelling as Swelling

@@ -152,6 +152,9 @@ class Load:
     #: Whether the load is spread over the faces that it names, so that the mean stress may jump there.
     spread: ClassVar[bool] = True
 
+    #: Whether it stays in later stages at a share of zero: it is part of the actuator, as a wire is.
+    lasting: ClassVar[bool] = False
+
     #: Displacement at which a network that it adds has no stress; None is the shape of the mesh.
     shape: Array | None = None
 
@@ -284,8 +287,13 @@ class Load:
 
     @property
     def cable(self) -> Any:
-        """The load, if it is a cable through guides; None of other loads."""
+        """The load, if it is a cable or a wire through guides; None of other loads."""
         return None
+
+    @property
+    def path_dependent(self) -> str:
+        """What depends on all states before, such as the friction of a cable; empty where nothing does."""
+        return ""
 
     @property
     def channel(self) -> Any:

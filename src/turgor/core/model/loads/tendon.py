@@ -27,16 +27,17 @@ class Tendon(Load):
 
     Either the tension at the motor is given, or the length of cable that the motor draws in, with the stiffness of the
     cable. A cable cannot push: it goes slack. At each guide friction takes its share of the tension, exp(−μ θ) for a
-    turn by θ (Euler and Eytelwein), as long as the motor pulls; friction does not change its sign where it lets go.
+    turn by θ (Euler and Eytelwein) where the cable slides towards the motor, and exp(μ θ) where it slides back. Between
+    the two it sticks, so that a state depends on all states before it.
 
     Parameters
     ----------
     through : sequence of (3,) floats [m]
         Points of the surface at rest, from the motor to the end, at least two.
     tension : float, optional [N]
-        Tension at the motor.
+        Tension at the motor; 0 in a stage that lets go.
     pull : float, optional [m]
-        Length of cable that is drawn in at a share of one; it needs a ``cable_stiffness``.
+        Length of cable that is drawn in at a share of one; 0 in a stage that lets go. It needs a ``cable_stiffness``.
     cable_stiffness : float, optional [N/m]
         Tension for each meter that the whole cable is stretched: its modulus times its section over its length.
     friction : float [-]
@@ -65,6 +66,7 @@ class Tendon(Load):
 
     job_key = "tendons"
     spread = False
+    lasting = True
 
     if TYPE_CHECKING:
 
@@ -80,13 +82,7 @@ class Tendon(Load):
         ) -> None: ...
 
     def __post_init__(self) -> None:
-        points = tuple(vector(point, f"point {i + 1} of a tendon", "length") for i, point in enumerate(self.through))
-        if len(points) < 2:
-            raise TurgorError(f"tendon: through has {len(points)} points; at least two are needed.")
-        for i, (one, two) in enumerate(pairwise(points)):
-            if np.allclose(one, two, rtol=0, atol=1e-9):
-                raise TurgorError(f"tendon: points {i + 1} and {i + 2} of through coincide; leave one out.")
-        object.__setattr__(self, "through", points)
+        object.__setattr__(self, "through", checked_guides(self.through, "tendon"))
         if (self.tension is None) == (self.pull is None):
             raise TurgorError("tendon: give either tension or pull, not both.")
         if (self.pull is None) != (self.cable_stiffness is None):
@@ -103,8 +99,9 @@ class Tendon(Load):
         if getattr(self, key) is None:
             return
         value = number(getattr(self, key), f"tendon: {key}", dimension)
-        if not (value > 0 and isfinite(value)):
-            raise TurgorError(f"tendon: {key} is {value:g} in SI units; it must be above 0.")
+        drives = key != "cable_stiffness"
+        if not (value > 0 or (drives and value == 0)) or not isfinite(value):
+            raise TurgorError(f"tendon: {key} is {value:g} in SI units; it must be {'0 or ' * drives}above 0.")
         object.__setattr__(self, key, value)
 
     @property
@@ -146,6 +143,38 @@ class Tendon(Load):
         return False
 
     @property
+    def path_dependent(self) -> str:
+        """Its friction, if there is any."""
+        return "the friction of a cable" if self.friction else ""
+
+    @property
+    def alone(self) -> str:
+        """What to do where two loads contradict each other."""
+        return "a stage that pulls at a cable repeats its friction and cable_stiffness, and tension stays tension."
+
+    def of_same(self, other: "Tendon") -> bool:
+        """Whether two loads pull at one cable."""
+        alike = (self.friction, self.cable_stiffness) == (other.friction, other.cable_stiffness)
+        return alike and (self.tension is None) == (other.tension is None)
+
+    @property
     def cable(self) -> "Tendon":
         """Itself."""
         return self
+
+
+def checked_guides(through: Sequence[Quantities], subject: str) -> tuple[Vector, ...]:
+    """Return points in SI units that a cable runs through.
+
+    Raises
+    ------
+    TurgorError
+        If there are fewer than two, or two neighbors coincide.
+    """
+    points = tuple(vector(point, f"{subject}: point {i + 1} of through", "length") for i, point in enumerate(through))
+    if len(points) < 2:
+        raise TurgorError(f"{subject}: through has {len(points)} points; at least two are needed.")
+    for i, (one, two) in enumerate(pairwise(points)):
+        if np.allclose(one, two, rtol=0, atol=1e-9):
+            raise TurgorError(f"{subject}: points {i + 1} and {i + 2} of through coincide; leave one out.")
+    return points

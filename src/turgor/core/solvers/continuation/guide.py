@@ -97,6 +97,8 @@ def _check_guided(model: Model, procedure: Procedure) -> None:
         raise TurgorError(
             f"guide leaves out states, and the bond '{model.bonds[0].name}' remembers them; solve without it."
         )
+    for what in filter(None, (load.path_dependent for load in model.loads)):
+        raise TurgorError(f"guide leaves out states, and {what} depends on them; solve without it.")
     if (friction := max(_friction(model))) > 0:
         raise TurgorError(f"guide leaves out states, and friction {friction:g} depends on them; solve without it.")
 

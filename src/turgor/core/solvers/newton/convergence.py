@@ -55,8 +55,17 @@ def _force_scale(system: System, at: Evaluation) -> float:
         float(np.linalg.norm(at.residual[:displacement][moving][prescribed])),
         at.contact_force,
         CONVERGENCE.small_force * system.full_force,
-        CONVERGENCE.unloaded * np.sqrt(system.node_count),  # an unloaded body: nothing to compare with but round-off
+        _least(system),  # an unloaded body: nothing to compare with but round-off
     )
+
+
+def _least(system: System) -> float:
+    return CONVERGENCE.unloaded * float(np.sqrt(system.node_count))
+
+
+def nothing_acts(system: System, at: Evaluation) -> bool:
+    """Whether no force acts, as on a core that melts before any load: then round-off is equilibrium."""
+    return _force_scale(system, at) == _least(system)
 
 
 def stagnates(system: System, at: Evaluation, residuals: Sequence[float]) -> bool:
@@ -65,7 +74,9 @@ def stagnates(system: System, at: Evaluation, residuals: Sequence[float]) -> boo
     Positions are rounded, and the stiffness makes forces of that; the most that this can leave is estimated.
     """
     last = residuals[-CONVERGENCE.stagnating_updates :]
-    if len(residuals) <= CONVERGENCE.stagnating_updates or max(last) > CONVERGENCE.round_off_below:
+    if len(residuals) <= CONVERGENCE.stagnating_updates:
+        return False
+    if max(last) > CONVERGENCE.round_off_below and not nothing_acts(system, at):
         return False
     if min(last) < 0.5 * min(residuals[: -CONVERGENCE.stagnating_updates]):
         return False

@@ -73,7 +73,7 @@ def line_search(
 def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:
     """Share of an update to take: less than 1 if walls are pressed too deep, or if contact reverses the force."""
     share = system.contact.shortening(at.contacts, new.contacts)
-    rubs = new.contacts.rubs or bool(system.terms.bonds)  # both have kinks
+    rubs = new.contacts.rubs or bool(system.terms.remembering)  # both have kinks
     if share < 1 or not (rubs or not new.contacts.touch_as(at.contacts)):
         return share
     free = system.moving & ~system.prescribed

@@ -20,7 +20,7 @@ from turgor.core.engine.system import Evaluation, Stresses
 from turgor.core.solvers.constraints.constraint import Constraint
 from turgor.core.solvers.constraints.elimination import Conditions
 from turgor.core.solvers.newton.border import Border
-from turgor.core.solvers.newton.convergence import partners_settle, stagnates, too_slow, whole_residual
+from turgor.core.solvers.newton.convergence import nothing_acts, partners_settle, stagnates, too_slow, whole_residual
 from turgor.core.solvers.newton.forcing import forcing
 from turgor.core.solvers.newton.iteration import CONVERGED, Stopped, iterate
 from turgor.core.solvers.newton.line_search import evaluate, line_search
@@ -144,7 +144,8 @@ class _Newton:
             return Reason(Cause.TOO_MANY_ITERATIONS, iteration, vain)
         if not stagnates(system, now.at, now.residuals):
             return None
-        enough = now.residuals[-1] <= settings.enough and not now.jump.any()
+        enough = now.residuals[-1] <= settings.enough or nothing_acts(system, now.at)
+        enough = enough and not now.jump.any()
         return CONVERGED if enough else Reason(Cause.ROUND_OFF, min(now.residuals))
 
 

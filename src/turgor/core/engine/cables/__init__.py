@@ -1,0 +1,1 @@
+"""Cables: tendons with friction and shape-memory wires, through guides on the surface."""
