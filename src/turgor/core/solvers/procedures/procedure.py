@@ -36,6 +36,8 @@ class Procedure:
     #: Largest relative residual, and the iterations before a step is cut back.
     tolerance: float = 1e-6
     max_iterations: int = 15
+    #: Whether cells that degrade are cut on the way.
+    remesh: bool = False
     #: Stages of a sequence; none in a single procedure.
     stages: tuple[Any, ...] = ()
 
@@ -65,6 +67,8 @@ class Procedure:
 
     def check_stage(self, number: int) -> None:
         """Refuse to be the stage of a number, from 0."""
+        if self.remesh:
+            raise TurgorError("remesh is for a procedure without stages, because all states must lie on one mesh.")
 
     @property
     def requested(self) -> float | Mapping[str, float] | None:
