@@ -187,6 +187,7 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
             solution = solve_stages(model, procedure, listeners, one)
         else:
             solution, _ = one(model, procedure, listeners, None)
+        model = solution.model  # its mesh may be a finer one
         beyond = rubber_findings(model, solution.states)
         plates = plate_findings(model, solution.states)
         listeners.tell(each for each in by_weight((*beyond, *plates, *solution.findings)) if each not in early)

@@ -115,8 +115,9 @@ def turned_cells(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
             severity=Severity.WARNING,
             message=f"{many} turned inside out at some of their nodes at load factor {worst.load_factor:.3g}, the "
             f"worst around ({', '.join(f'{1e3 * x:.3g}' for x in place)}) mm at rest: the body overlaps itself there.",
-            advice="Do not rely on stresses and forces there. Mesh the place more finely, round its edge, or request "
-            "less; where a free side rolls onto a support, an obstacle there stops it.",
+            advice="Do not rely on stresses and forces there. Mesh the place more finely, cut its cells on the way "
+            "(procedure.remesh), round its edge, or request less; where a free side rolls onto a support, an obstacle "
+            "there stops it.",
         ),
     )
 

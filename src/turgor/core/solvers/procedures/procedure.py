@@ -108,6 +108,8 @@ class Procedure:
     @property
     def no_gradient(self) -> str:
         """Why its own states have no derivative, and what to do; empty where they have one."""
+        if self.remesh:
+            return "states before the last cut of cells are no equilibria on the cells after it; leave remesh out"
         return ""
 
     def findings(self, states: Sequence[Any]) -> tuple[Finding, ...]:

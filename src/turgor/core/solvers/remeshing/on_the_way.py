@@ -38,22 +38,25 @@ def degraded_volume(state: State) -> float:
 
 @dataclass(slots=True, eq=False)
 class Watch:
-    """Ends a path on one mesh where its cells degrade; ``ended`` says whether it did.
+    """Ends a path on one mesh where its cells degrade.
 
     Parameters
     ----------
     stop : callable or None
         That of the caller.
+    by_caller : bool
+        Whether the caller ended it. A path that is read from its record calls neither.
     """
 
     stop: Callable[[State], str | None] | None
-    ended: bool = False
+    by_caller: bool = False
 
     def __call__(self, state: State) -> str | None:
         """Return why the path ends at a state: a reason of the caller, or cells that degrade."""
         reason = None if self.stop is None else self.stop(state)
+        self.by_caller = reason is not None
         if reason is None and state.load_factor < 1 and degraded_volume(state) > REMESHING.degraded_volume:
-            self.ended, reason = True, "cells degrade"
+            return "cells degrade"
         return reason
 
 
@@ -99,7 +102,7 @@ def follow_remeshing(
             new, path = _on_finer_cells(solution, procedure, options)
         except TurgorError as error:
             notes.append(_given_up(solution.states[-1], error))
-            if watch.ended:  # go on with the cells that there are
+            if solution.status is Status.STOPPED:  # go on with the cells that there are
                 path = PathSoFar(states=solution.states, steps=solution.steps, limits=solution.limit_points)
                 solution, end = follow(model, procedure, listeners, replace(end, path=path))
                 timings.append(solution.timing)
@@ -112,8 +115,8 @@ def follow_remeshing(
 
 def _needs_cells(solution: Solution, watch: Watch) -> bool:
     """Whether a path on one mesh ended because its cells degrade."""
-    if watch.ended:
-        return True
+    if solution.status is Status.STOPPED:
+        return not watch.by_caller
     if solution.status not in (Status.STEP_TOO_SMALL, Status.LIMIT_POINT) or len(solution.states) < 2:
         return False
     causes = {step.cause for step in solution.steps[-REMESHING.last_steps :]}
