@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.model.model import Model
 from turgor.core.solvers.procedures.channel_flow import refuse_channels
-from turgor.core.solvers.procedures.remeshing_refusals import refuse_remeshing
+from turgor.core.solvers.procedures.procedure import refuse_remeshing
 from turgor.core.solvers.procedures.step_options import StepOptions
 from turgor.foundation.errors import TurgorError, unknown
 

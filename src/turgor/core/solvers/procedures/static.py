@@ -5,7 +5,7 @@ from typing import Any
 
 from turgor.core.model.model import Model
 from turgor.core.solvers.procedures.channel_flow import channel_target, closed_by_channels
-from turgor.core.solvers.procedures.remeshing_refusals import refuse_remeshing
+from turgor.core.solvers.procedures.procedure import refuse_remeshing
 from turgor.core.solvers.procedures.step_options import StepOptions
 
 

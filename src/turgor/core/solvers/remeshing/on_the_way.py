@@ -9,8 +9,7 @@ from turgor.core.model.model import Model
 from turgor.core.solvers.checkpoints.checkpoint_data import PathSoFar
 from turgor.core.solvers.checks.distortion import node_volume_ratios
 from turgor.core.solvers.listeners import Listeners
-from turgor.core.solvers.procedures.procedure import Procedure
-from turgor.core.solvers.procedures.remeshing_refusals import refuse_remeshing
+from turgor.core.solvers.procedures.procedure import Procedure, refuse_remeshing
 from turgor.core.solvers.remeshing.remesh import Remeshed, finer_cells, moved_to, transferred
 from turgor.core.solvers.remeshing.settings import REMESHING
 from turgor.core.solvers.restart import Restart

@@ -22,8 +22,7 @@ from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.listeners import silent
 from turgor.core.solvers.newton.contact_newton import newton_with_contact
 from turgor.core.solvers.newton.newton_values import NewtonResult, NewtonSettings, Start
-from turgor.core.solvers.procedures.procedure import Procedure
-from turgor.core.solvers.procedures.remeshing_refusals import refuse_remeshing
+from turgor.core.solvers.procedures.procedure import Procedure, refuse_remeshing
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.remeshing.indicator import error_indicator
 from turgor.core.solvers.remeshing.refine import refined
