@@ -22,14 +22,14 @@ sys.path.insert(0, str(Path(__file__).parents[2]))  # so that `benchmarks` is fo
 import turgor as tg
 from benchmarks.accuracy.estimate_shapes import OPTIONS, Shape, described, drawn
 from benchmarks.shared.tables import table
-from turgor.accuracy.adaptivity.indicator import error_indicator
-from turgor.accuracy.adaptivity.refine import refined
 from turgor.accuracy.adaptivity.second_mesh import SecondMesh
 from turgor.core.engine.transfer import Transfer
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.sizing.default_size import default_size
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
+from turgor.core.solvers.remeshing.indicator import error_indicator
+from turgor.core.solvers.remeshing.refine import refined
 
 HERE = Path(__file__).parent
 PAGE = HERE / "estimates.md"

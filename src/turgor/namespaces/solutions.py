@@ -10,6 +10,9 @@ if TYPE_CHECKING:
     from turgor.core.solvers.buckling.imperfection import imperfect as imperfect
     from turgor.core.solvers.dynamics.modes import Modes as Modes
     from turgor.core.solvers.energies import Energies as Energies
+    from turgor.core.solvers.remeshing.remesh import Remeshed as Remeshed
+    from turgor.core.solvers.remeshing.remesh import TransferError as TransferError
+    from turgor.core.solvers.remeshing.remesh import remesh as remesh
     from turgor.core.solvers.solution import LimitPoint as LimitPoint
     from turgor.core.solvers.solution import SolveError as SolveError
     from turgor.core.solvers.solution import State as State

@@ -17,9 +17,7 @@ import pytest
 
 import turgor as tg
 from refused import refused
-from turgor.accuracy.adaptivity.indicator import error_indicator
 from turgor.accuracy.adaptivity.mesh_error import find_again, plan
-from turgor.accuracy.adaptivity.refine import refined
 from turgor.accuracy.gradients.adjoint import adjoint_of
 from turgor.accuracy.gradients.equilibrium import Equilibrium
 from turgor.accuracy.gradients.systems import Systems
@@ -30,6 +28,8 @@ from turgor.core.engine.transfer import Transfer
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.newton.border import Border
+from turgor.core.solvers.remeshing.indicator import error_indicator
+from turgor.core.solvers.remeshing.refine import refined
 from turgor.core.solvers.states import state_of
 from turgor.units import deg, kPa, mm
 

@@ -15,9 +15,7 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.accuracy.adaptivity.indicator import error_indicator, squared_errors
 from turgor.accuracy.adaptivity.paired_states import PairedStates
-from turgor.accuracy.adaptivity.refine import ALL_CUT, refined
 from turgor.accuracy.adaptivity.second_mesh import SecondMesh
 from turgor.accuracy.adaptivity.settings import MESH_ERROR
 from turgor.core.engine.runtime import EngineOptions, use_threads
@@ -27,6 +25,8 @@ from turgor.core.meshing.refining.refinement import Refinement
 from turgor.core.meshing.refining.split_films import FilmRefinement, refine_films
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.results.measures.measure import Measure
+from turgor.core.solvers.remeshing.indicator import error_indicator, squared_errors
+from turgor.core.solvers.remeshing.refine import ALL_CUT, refined
 from turgor.core.solvers.solution import Solution, State
 from turgor.foundation.display import brief
 from turgor.foundation.finding import Finding, Severity

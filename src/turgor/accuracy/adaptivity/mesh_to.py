@@ -7,9 +7,7 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.accuracy.adaptivity.indicator import error_indicator
 from turgor.accuracy.adaptivity.mesh_error import estimate_mesh_error, why_not
-from turgor.accuracy.adaptivity.refine import refined
 from turgor.accuracy.adaptivity.second_mesh import SecondMesh
 from turgor.accuracy.adaptivity.settings import REFINEMENT
 from turgor.core.engine.runtime import EngineOptions, use_threads
@@ -21,6 +19,8 @@ from turgor.core.model.model import Model
 from turgor.core.results.error_text import with_error
 from turgor.core.results.measures.measure import Measure
 from turgor.core.solvers.procedures.procedure import Procedure
+from turgor.core.solvers.remeshing.indicator import error_indicator
+from turgor.core.solvers.remeshing.refine import refined
 from turgor.core.solvers.solution import Solution, SolveError
 from turgor.core.solvers.solve import solve
 from turgor.foundation.display import brief

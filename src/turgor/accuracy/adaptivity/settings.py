@@ -68,15 +68,12 @@ class RefinementSettings:
         Unknowns at which it stops unless another limit is given, and most rounds.
     least_growth, most_growth : float
         Growth of the mesh from one round to the next.
-    new_cells : float
-        Cells that come with each tetrahedron whose edges are all cut, its neighbors included, as measured.
     """
 
     unknowns: int = 200_000
     rounds: int = 6
     least_growth: float = 1.6
     most_growth: float = 4.0
-    new_cells: float = 13.0
 
 
 REFINEMENT = RefinementSettings()

@@ -62,6 +62,11 @@ class Transfer:
         self._kinds = refinement.corners[first]  # the few ways in which a part lies in its parent
         self._kind = self._kind.ravel()
 
+    @property
+    def mesh(self) -> Mesh:
+        """The finer mesh."""
+        return self._fine.mesh
+
     def nodal(self, values: Array) -> Array:
         """Values at the nodes of the finer mesh, (n', k), of a field with values (n, k) at the nodes; exact."""
         nodes = self._mesh.cell_type.nodes
@@ -73,6 +78,18 @@ class Transfer:
             out[self._fine.mesh.cells[parts]] = np.einsum(
                 "na,cak->cnk", tables_at(nodes, at, np.ones(len(at))).N, known
             )
+        return out
+
+    def forces(self, values: Array) -> Array:
+        """Nodal forces (n', k) that have the resultants of those (n, k): at the nodes that both meshes have."""
+        own = reference_nodes(self._mesh.cell_type.nodes)
+        out = np.zeros((len(self._fine.mesh.points), values.shape[1]))
+        for kind, corners in enumerate(self._kinds):
+            apart = np.abs(self._inside(own, corners)[:, None] - own).max(axis=2)
+            here, there = np.nonzero(apart < ROUND_OFF.mesh_digits)
+            parts = np.flatnonzero(self._kind == kind)
+            old = self._mesh.cells[self._fine.parent[parts]][:, there]
+            out[self._fine.mesh.cells[parts][:, here]] = values[old]
         return out
 
     def mean_stress(self, model: Model, fine: Model, values: Array) -> Array:

@@ -79,7 +79,7 @@ def saved_path(record: RunRecord) -> Solution:
         raise TurgorError(f"the run in '{record.store.folder}' was ended before its first step was done.")
     procedure = question.procedure
     if not procedure.stages:
-        return _unfinished(procedure, paths[0])
+        return _unfinished(procedure, paths[-1])
     solutions = [_unfinished(stage.procedure, path) for stage, path in zip(procedure.stages, paths, strict=False)]
     whole = together(question.model, procedure, solutions)
     return Solution(

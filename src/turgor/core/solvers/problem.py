@@ -1,6 +1,6 @@
 """Problem: the input of every procedure, and the lists that it fills."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.cells.internal_variables import History, Memory
@@ -43,10 +43,33 @@ class Problem:
     steps: list[Step] = field(default_factory=list)
     limits: list[LimitPoint] = field(default_factory=list)
 
+    def take_over(self) -> None:
+        """Begin the lists with the path with which it goes on."""
+        path = None if self.restart is None else self.restart.path
+        if path is not None:
+            self.states[:] = [replace(state, model=self.system.model) for state in path.states]
+            self.steps[:], self.limits[:] = path.steps, path.limits
+
     @property
     def start(self) -> State | None:
         """The state at which it begins; None at rest."""
         return None if self.restart is None else self.restart.state
+
+    @property
+    def first(self) -> State | None:
+        """The state at load factor 0 of its procedure; None at rest."""
+        path = None if self.restart is None else self.restart.path
+        return self.start if path is None else path.states[0]
+
+    @property
+    def goes_on(self) -> bool:
+        """Whether it goes on with the path of its own procedure, on other cells."""
+        return self.restart is not None and self.restart.path is not None
+
+    @property
+    def load_factor(self) -> float:
+        """Load factor at which it begins."""
+        return self.restart.state.load_factor if self.restart is not None and self.goes_on else 0.0
 
     @property
     def memory(self) -> Memory | None:

@@ -12,6 +12,7 @@ from turgor.core.engine.cells.internal_variables import History, friction_of
 from turgor.core.engine.contact.friction import FrictionHistory
 from turgor.core.engine.contact.terms import Part
 from turgor.core.engine.system import System
+from turgor.core.solvers.checkpoints.checkpoint_data import PathSoFar
 from turgor.core.solvers.pressures import pressures_of
 from turgor.core.solvers.solution import State
 
@@ -34,11 +35,14 @@ class Restart:
         Of each part of the contact with friction.
     penalty_scales : mapping of Key to array
         Of each part of the contact.
+    path : PathSoFar or None
+        The path up to the state, where its procedure goes on with it on other cells; None where a stage begins.
     """
 
     state: State
     friction: Mapping[Key, FrictionHistory]
     penalty_scales: Mapping[Key, Array]
+    path: PathSoFar | None = None
 
     @staticmethod
     def of(system: System, state: State) -> "Restart":

@@ -32,6 +32,7 @@ from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.progress.watchers import Progress as Progress
 from turgor.core.solvers.progress.watchers import watched
+from turgor.core.solvers.remeshing.on_the_way import follow_remeshing
 from turgor.core.solvers.restart import Restart
 from turgor.core.solvers.solution import Solution, SolveError, State, Status, Timing
 from turgor.core.solvers.stage_sequence import solve_stages
@@ -186,6 +187,7 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
             solution = solve_stages(model, procedure, listeners, one)
         else:
             solution, _ = one(model, procedure, listeners, None)
+        model = solution.model  # its mesh may be a finer one
         beyond = rubber_findings(model, solution.states)
         plates = plate_findings(model, solution.states)
         listeners.tell(each for each in by_weight((*beyond, *plates, *solution.findings)) if each not in early)
@@ -209,13 +211,14 @@ def _from_start(
     """Follow one procedure as `_solved` does, after an equilibrium of the loads that are there from the start."""
     flies = procedure.may_be_free(model) and free_motions(model)  # without any equilibrium to begin with
     before = at_start(model) if restart is None and not flies else None
+    follow = partial(_solved, question, record)
     if before is None:
-        return _solved(question, record, model, procedure, listeners, restart)
+        return follow_remeshing((model, procedure), listeners, restart, follow, question.options)
     question = replace(question, guide=None)  # the path of another model, which begins at rest
     first, restart = _solved(question, record, before, Static(), Listeners(None, listeners.stop), None)
     if not first.complete:
         return replace(first, message=f"Loads that are there from the start: {first.message}"), restart
-    solution, restart = _solved(question, record, model, procedure, listeners, restart)
+    solution, restart = follow_remeshing((model, procedure), listeners, restart, follow, question.options)
     return replace(solution, timing=Timing.together([first.timing, solution.timing])), restart
 
 
@@ -250,6 +253,7 @@ def _solved(
             record=None if stage is None else stage.of(system),
             guide=question.guide,
         )
+        problem.take_over()
         outcome = procedure.follow(problem)
     timing = _timing(tangent, compiling, setup, start)
     findings = (

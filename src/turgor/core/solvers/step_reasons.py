@@ -29,6 +29,7 @@ class Cause(Enum):
     OTHER_BRANCH = auto()
     TIME_ERROR = auto()
     ENERGY_ERROR = auto()
+    REMESHED = auto()
 
 
 #: What a person reads; ``{value}`` is the number of the reason and ``{detail}`` what it adds in words.
@@ -51,6 +52,7 @@ TEXTS = {
     Cause.SHARP_TURN: "the path turns too sharply for the arc",
     Cause.OTHER_BRANCH: "the arc leads back or to another branch",
     Cause.TIME_ERROR: "an error of {value:.1e} of the displacement",
+    Cause.REMESHED: "cells cut, {detail}; equilibrium on them moved by {value:.2g} %",
     Cause.ENERGY_ERROR: "{value:.2g} % of the energy unaccounted for",
 }
 

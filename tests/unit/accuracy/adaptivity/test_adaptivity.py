@@ -9,12 +9,12 @@ import pytest
 import turgor as tg
 from refused import refused
 from turgor.accuracy.adaptivity.findings import mesh_error_findings
-from turgor.accuracy.adaptivity.indicator import error_indicator, squared_errors
 from turgor.accuracy.adaptivity.mesh_error import find_again, path_length
-from turgor.accuracy.adaptivity.refine import refined
 from turgor.accuracy.measure import mesh_error_of
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.results.error_text import with_error
+from turgor.core.solvers.remeshing.indicator import error_indicator, squared_errors
+from turgor.core.solvers.remeshing.refine import refined
 from turgor.foundation.finding import Severity
 from turgor.foundation.response import Column, Response
 from turgor.units import kPa, mL, mm

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 import turgor as tg
-from turgor.accuracy.adaptivity.refine import refined, ring_sheets
 from turgor.core.engine.algebra.free_solver import solver_of
 from turgor.core.engine.algebra.linear import linear_solver
 from turgor.core.engine.algebra.rings import rings_of
@@ -16,6 +15,7 @@ from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.cells.mean_stress_jumps import mean_stress_numbers
 from turgor.core.engine.system import System
 from turgor.core.meshing.refining.split_hexahedra import sheets
+from turgor.core.solvers.remeshing.refine import refined, ring_sheets
 from turgor.units import MPa, mm
 
 

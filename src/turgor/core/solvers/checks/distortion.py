@@ -101,7 +101,7 @@ def turned_cells(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
     """
     worst, counted = None, np.empty(0)
     for state in telling_states(model, states):
-        ratios = _least_ratios(state)
+        ratios = node_volume_ratios(state).min(axis=1, initial=1.0)
         if (ratios <= 0).sum() > (counted <= 0).sum():
             worst, counted = state, ratios
     if worst is None:
@@ -115,18 +115,19 @@ def turned_cells(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
             severity=Severity.WARNING,
             message=f"{many} turned inside out at some of their nodes at load factor {worst.load_factor:.3g}, the "
             f"worst around ({', '.join(f'{1e3 * x:.3g}' for x in place)}) mm at rest: the body overlaps itself there.",
-            advice="Do not rely on stresses and forces there. Mesh the place more finely, round its edge, or request "
-            "less; where a free side rolls onto a support, an obstacle there stops it.",
+            advice="Do not rely on stresses and forces there. Mesh the place more finely, cut its cells on the way "
+            "(procedure.remesh), round its edge, or request less; where a free side rolls onto a support, an obstacle "
+            "there stops it.",
         ),
     )
 
 
-def _least_ratios(state: State) -> Array:
-    """Least volume ratio at the nodes of each cell, (c,)."""
+def node_volume_ratios(state: State) -> Array:
+    """Return the volume ratio det F at the nodes of each cell, (c, n)."""
     mesh = state.model.mesh
     cells = mesh.carrying_cells
     if not len(cells):
-        return np.empty(0)
+        return np.empty((0, 1))
     nodes = cells.shape[1]
     places = reference_nodes(TETRAHEDRON.nodes if nodes == TETRAHEDRON.nodes else HEXAHEDRON.nodes)
     slopes = tables_at(nodes, places, np.ones(len(places))).dN
@@ -141,4 +142,4 @@ def _ratios(cells: NDArray[np.int64], rest: Array, moved: Array, slopes: Array) 
         np.linalg.det(np.einsum("cai,qak->cqik", points[cells], slopes, optimize=True)) for points in (rest, moved)
     )
     flat = before <= DISTORTION.flat * before.mean(axis=1, keepdims=True)  # such as on the axis of a sector
-    return np.asarray(np.where(flat, 1.0, now / np.where(flat, 1.0, before)).min(axis=1))
+    return np.asarray(np.where(flat, 1.0, now / np.where(flat, 1.0, before)))

@@ -58,12 +58,12 @@ class NoConditions:
 
 def load_control(
     system: System,
-    duration: float | None = None,
+    clock: Clock | None = None,
     history: History | None = None,
     addition: Addition | None = None,
 ) -> Constraint:
-    """Return the constraint of load control, which takes a duration [s] at load factor 1 where it takes time.
+    """Return the constraint of load control, with a clock where it takes time.
 
     ``history`` is what the rubber brings into the step, ``addition`` the forces besides those of the model.
     """
-    return Constraint.of(GivenLoads(system), NoConditions(), Clock(duration), history, addition)
+    return Constraint.of(GivenLoads(system), NoConditions(), clock, history, addition)

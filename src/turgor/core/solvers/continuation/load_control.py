@@ -11,6 +11,7 @@ import numpy as np
 from turgor.core.engine.system import Evaluation
 from turgor.core.model.drive import kinks
 from turgor.core.solvers.checks.distortion import distortion_text
+from turgor.core.solvers.constraints.clock import Clock
 from turgor.core.solvers.constraints.loads import load_control
 from turgor.core.solvers.continuation.guide import MOST_FAILED, Guide
 from turgor.core.solvers.continuation.path_follower import follow, noted
@@ -70,17 +71,19 @@ def load_run(
         finished=_full_load,
         kinks=turns,
     )
-    constraint = load_control(system, procedure.duration, problem.history)
+    now = problem.load_factor
+    constraint = load_control(system, Clock(procedure.duration, now), problem.history)
     run = Run(
         task,
         constraint,
         StepControl.of(_stepped(procedure, guide), turns, system.model.sheets_wrinkle),
         history=[] if history is None else history,
     )
-    rest = system.evaluate(unknowns_of(system, problem.start), 0.0, history=problem.history)
+    rest = system.evaluate(unknowns_of(system, problem.start), now, history=problem.history)
     assert rest is not None
-    run.history.append(plain_point(run, rest, (0.0, np.empty(0)), None))
-    run.states.append(run.history[-1].state)
+    run.history.append(plain_point(run, rest, (now, np.empty(0)), None))
+    if not problem.goes_on:
+        run.states.append(run.history[-1].state)
     goes_on = problem.record is not None and problem.record.goes_on  # its checkpoint has the rate
     # loads that grow in proportion: all say how the first ones do
     if guide is None and run.stepping.length >= LOAD_CONTROL.long_first_step and not turns and not goes_on:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.core.model.model import Model
 from turgor.core.solvers.procedures.channel_flow import refuse_channels
+from turgor.core.solvers.procedures.procedure import refuse_remeshing
 from turgor.core.solvers.procedures.step_options import StepOptions
 from turgor.foundation.errors import TurgorError, unknown
 
@@ -85,6 +86,8 @@ class CavityProcedure(StepOptions):
         from turgor.core.meshing.openings import torn_rims  # few jobs need it
         from turgor.core.meshing.surface import outer_triangles, rim_edges
 
+        if self.remesh:
+            refuse_remeshing(model)
         field, names = self.requested_field, self.filled(model)
         for name in names:
             if any(load.face == name for load in model.pressures):

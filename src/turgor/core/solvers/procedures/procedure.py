@@ -64,6 +64,8 @@ class Procedure:
     #: Largest relative residual, and the iterations before a step is cut back.
     tolerance: float = 1e-6
     max_iterations: int = 15
+    #: Whether cells that degrade are cut on the way.
+    remesh: bool = False
     #: Stages of a sequence; none in a single procedure.
     stages: tuple[Any, ...] = ()
 
@@ -93,6 +95,8 @@ class Procedure:
 
     def check_stage(self, number: int) -> None:
         """Refuse to be the stage of a number, from 0."""
+        if self.remesh:
+            raise TurgorError("remesh is for a procedure without stages, because all states must lie on one mesh.")
 
     @property
     def requested(self) -> float | Mapping[str, float] | None:
@@ -152,8 +156,39 @@ class Procedure:
     @property
     def no_gradient(self) -> str:
         """Why its own states have no derivative, and what to do; empty where they have one."""
+        if self.remesh:
+            return "states before the last cut of cells are no equilibria on the cells after it; leave remesh out"
         return ""
 
     def findings(self, states: Sequence[Any]) -> tuple[Finding, ...]:
         """Return what the energies of the states show."""
         return ()
+
+
+def refuse_remeshing(model: Model) -> None:
+    """Refuse a model whose cells cannot be cut on the way.
+
+    Parameters
+    ----------
+    model : Model
+
+    Raises
+    ------
+    TurgorError
+        Naming what cannot be carried over.
+    """
+    contact, mesh = model.contact, model.mesh
+    frictions = [each.friction for each in contact.obstacles]
+    frictions += [] if contact.self_contact is None else [contact.self_contact.friction]
+    reasons = {
+        "a film without a solid has no cells that could degrade": not len(mesh.cells),
+        "cells of 20 nodes cannot be cut": mesh.cells.shape[1] == 20,
+        "where contact sticks depends on the sides of the cells, so friction cannot be carried over": any(frictions),
+        "liquid that flows through a channel cannot be carried over": any(load.channel for load in model.loads),
+        "the damage of a bond cannot be carried over": bool(model.bonds),
+    }
+    for reason, holds in reasons.items():
+        if holds:
+            raise TurgorError(
+                f"procedure.remesh: {reason}; leave remesh out, and mesh the body finer where it degrades."
+            )

@@ -5,7 +5,7 @@ from typing import Any
 
 from turgor.core.model.model import Model
 from turgor.core.solvers.procedures.channel_flow import channel_target, closed_by_channels
-from turgor.core.solvers.procedures.procedure import DeckStep
+from turgor.core.solvers.procedures.procedure import DeckStep, refuse_remeshing
 from turgor.core.solvers.procedures.step_options import StepOptions
 
 #: Largest difference of the creep strain in an increment of Abaqus [-]; rubber in actuators strains by a hundred times
@@ -37,6 +37,8 @@ class Static(StepOptions):
         Time at load factor 1, for rubber that relaxes: the load factor is time over duration, and histories of loads
         are over it. Steps are as long as ``max_step`` lets them, which decides the accuracy in time. By default the
         load grows so slowly that everything has relaxed.
+    remesh : bool
+        Whether cells are cut where they degrade, and the path goes on with the finer ones.
 
     Examples
     --------
@@ -47,6 +49,8 @@ class Static(StepOptions):
     load_control = True
 
     duration: float | None = field(default=None, metadata={"dimension": "time"})
+
+    remesh: bool = False
 
     def follow(self, problem: Any) -> Any:
         """Step the load factor, and seek the pressures of cavities at channels."""
@@ -60,6 +64,8 @@ class Static(StepOptions):
 
     def controlled(self, model: Model) -> tuple[str, ...]:
         """Name the cavities into which liquid flows through channels."""
+        if self.remesh:
+            refuse_remeshing(model)
         return closed_by_channels(model, self.duration)
 
     def target(self, chambers: Any, volumes: Any, pressures: Any) -> Any:

@@ -41,6 +41,8 @@ class VolumeControl(CavityProcedure):
         Attempted steps before the solve stops.
     duration : float [s], optional
         Time at load factor 1, for rubber that relaxes, as that of `Static`.
+    remesh : bool
+        Whether cells are cut where they degrade, as in `Static`.
 
     Examples
     --------
@@ -57,6 +59,7 @@ class VolumeControl(CavityProcedure):
     max_step: float = 0.1
     min_step: float = 1e-5
     duration: float | None = field(default=None, metadata={"dimension": "time"})
+    remesh: bool = False
 
     def __post_init__(self) -> None:
         make_numbers(self)

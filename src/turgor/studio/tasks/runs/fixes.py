@@ -2,8 +2,10 @@
 
 import re
 from collections.abc import Callable, Mapping
+from dataclasses import fields
 from typing import Any
 
+from turgor.core.solvers.procedures.listed import PROCEDURES
 from turgor.foundation.finding import Finding
 
 #: A label, and values by dotted keys; None removes a key.
@@ -68,6 +70,12 @@ def _steps(finding: Finding, content: Mapping[str, Any]) -> list[Fix]:
     return [_fix(f"Steps of {value:g}", {"procedure.max_step": value, "procedure.first_step": value})]
 
 
+def _remeshed(_finding: Finding, content: Mapping[str, Any]) -> list[Fix]:
+    kind = content.get("procedure", {}).get("type", "static")
+    able = kind in PROCEDURES and "remesh" in {each.name for each in fields(PROCEDURES[kind])}
+    return [_fix("Cut cells where they degrade", {"procedure.remesh": True})] if able else []
+
+
 #: What mends a finding, by its code.
 FIXES: Mapping[str, Callable[[Finding, Mapping[str, Any]], list[Fix]]] = {
     "G01": _always("Two cells through every wall", mesh__wall_cells=2),
@@ -76,6 +84,7 @@ FIXES: Mapping[str, Callable[[Finding, Mapping[str, Any]], list[Fix]]] = {
     "G13": _always("Model the meridian", mesh__cells="axisymmetric"),
     "N02": _finer,
     "N05": _shell,
+    "N06": _remeshed,
     "B02": _always("Switch self-contact on", contact__self_contact=True),
     "B28": _clamped,
     "D07": _always("Model the whole part", actuator__symmetry="none"),

@@ -29,9 +29,9 @@ def follow_cavities(problem: Problem, procedure: StepOptions) -> Outcome:
     system, restart = problem.system, problem.restart
     chambers, start = Chambers(system, system.controlled), unknowns_of(system, problem.start)
     pressures = np.zeros(len(chambers)) if restart is None else restart.pressures(system)
-    volumes, requested = chambers.volumes(start), procedure.requested
-    target = procedure.target(chambers, volumes, pressures)
-    constraint = Constraint.of(CavityPressures(system), target, Clock(procedure.duration), problem.history)
+    volumes, requested = chambers.volumes(unknowns_of(system, problem.first)), procedure.requested
+    target, now = procedure.target(chambers, volumes, pressures), problem.load_factor
+    constraint = Constraint.of(CavityPressures(system), target, Clock(procedure.duration, now), problem.history)
     goal = Goal(
         _driven(procedure, procedure.amounts(chambers, volumes), system.controlled) if procedure.drive else nothing,
         _at_the_end,
@@ -40,7 +40,7 @@ def follow_cavities(problem: Problem, procedure: StepOptions) -> Outcome:
     )
     stepping = StepControl.of(procedure, goal.kinks, system.model.sheets_wrinkle)
     run = scalar_run(problem, procedure, constraint, stepping, goal)
-    begin(run, 0.0, start, pressures)
+    begin(run, now, start, pressures)
     return follow(run)
 
 

@@ -3,13 +3,13 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.accuracy.adaptivity.settings import REFINEMENT
 from turgor.core.engine.algebra.rings import rings_of
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.refining.refinement import Refinement
 from turgor.core.meshing.refining.split import refine_tetrahedra
 from turgor.core.meshing.refining.split_hexahedra import CELL_EDGES, refine_hexahedra, sheets
+from turgor.core.solvers.remeshing.settings import REMESHING
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -41,7 +41,7 @@ def refined(mesh: Mesh, shares: Array, growth: float) -> Refinement:
 
 def _tetrahedra(mesh: Mesh, shares: Array, growth: float) -> Refinement:
     count = len(mesh.cells)
-    target = count if growth >= ALL_CUT else int(np.ceil((growth - 1) * count / REFINEMENT.new_cells))
+    target = count if growth >= ALL_CUT else int(np.ceil((growth - 1) * count / REMESHING.new_cells))
     marked = np.argsort(-shares, kind="stable")[: max(1, min(target, count))]
     edges = mesh.cells[marked][:, np.array(TETRAHEDRON.edges)].reshape(-1, 2)
     edges = np.unique(np.sort(edges, axis=1), axis=0)
