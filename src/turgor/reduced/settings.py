@@ -161,8 +161,9 @@ class TrainingSettings:
     missed : float
         Share of the wanted error that modes may miss of the states of the first paths; else there are more at first.
     differentiated : int
-        States along a path whose derivatives by the inputs are snapshots, too, where there are several. With three, 38 modes of an arm with nine
-        inputs miss 0.16 % of held-out states in the median and 0.42 % at most, with the last alone 0.19 and 0.50 %.
+        States along a path whose derivatives by the inputs are snapshots, too, where there are several inputs. With
+        three, 38 modes of an arm with nine miss 0.16 % of 128 held-out states in the median and 0.42 % at most, with
+        the last alone 0.19 and 0.50 %.
     derivatives : float
         Derivatives of states by the inputs are shortened to this share of the largest state, in the stiffness at rest,
         before modes are found. They are multiplied by the whole ranges, and outweigh the states where the response is
