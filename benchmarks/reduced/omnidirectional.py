@@ -86,7 +86,7 @@ CASES = {
         PRESSURES | {"loads.tip.vector": (-FORCE, FORCE), "loads.gravity.falling": (-WEIGHT, WEIGHT)},
         (tg.loads.Force("tip", (0, 0, FORCE)), tg.Gravity()),
         Budget(
-            error=0.01, paths=24, held_out=0, modes=38, steps=7,
+            error=0.007, paths=24, held_out=0, modes=50, steps=7,
             aims=tuple((*pressures, *others) for pressures, others in zip(WITH_FORCES, SIGNS.tolist(), strict=True)),
         ),
     ),
