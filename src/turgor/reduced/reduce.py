@@ -21,7 +21,7 @@ from turgor.reduced.states.reduced import Reduced
 from turgor.reduced.training.assembly import check_reducible, drive_of
 from turgor.reduced.training.box import aims_of, corners, inputs_of, one_path, random_shares, with_all_cavities
 from turgor.reduced.training.build import Built, build, modes_needed
-from turgor.reduced.training.compare import aim_of, compared, known_errors
+from turgor.reduced.training.compare import aim_of, compared, known_errors, start_of
 from turgor.reduced.training.masses import masses_of
 from turgor.reduced.training.modes import Modes
 from turgor.reduced.training.path_runs import PathRuns
@@ -242,6 +242,7 @@ class Training:
             held_out=HeldOutErrors(inputs=nothing[:, None], displacement=nothing, tip=nothing, volume=nothing,
                                    force=nothing),
         )  # fmt: skip
+        reduced = replace(reduced, spline=start_of(reduced))
         return replace(reduced, known=known_errors(reduced, paths))
 
 

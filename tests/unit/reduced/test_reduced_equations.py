@@ -187,11 +187,22 @@ def test_plain_tangents_need_more_updates_next_to_a_stiff_sheet():
     assert at is None or updates > found.iterations
 
 
-def test_spline_goes_through_its_points_and_is_cubic_between():
-    x = np.linspace(0, 1, 9)[:, None]
-    spline = Spline.through(np.vstack([x, x[:1]]), np.vstack([np.sin(x), np.sin(x[:1])]))
-    assert spline.at(x[4]) == pytest.approx(np.sin(x[4]), abs=1e-10)
-    assert spline.at(np.array([0.45])) == pytest.approx([np.sin(0.45)], abs=1e-3)
+def test_spline_goes_through_its_points_with_their_slopes():
+    place = np.random.default_rng(0).uniform(0, 2, (40, 2))
+    values, slopes = np.sin(place.sum(axis=1))[:, None], np.cos(place.sum(axis=1))[:, None, None] * np.ones((1, 1, 3))
+    inputs = np.column_stack([np.zeros(40), place])  # the first input does not count
+    spline = Spline.through(np.array([0.0, 0.5, 0.5]), *(np.concatenate([a, a[:1]]) for a in (inputs, values, slopes)))
+    assert spline.at(inputs[4]) == pytest.approx(values[4], abs=1e-5)
+    step = np.array([0.0, 1e-4, 0.0])
+    slope = (spline.at(inputs[4] + step) - spline.at(inputs[4] - step)) / 2e-4
+    assert slope == pytest.approx(slopes[4, :, 1], abs=1e-4)
+    assert spline.at(np.array([0.0, 1.0, 0.7])) == pytest.approx([np.sin(1.7)], abs=2e-3)
+
+
+def test_spline_of_one_input_is_the_cubic_one_of_hermite():
+    x = np.array([[0.0], [1.0]])
+    spline = Spline.through(np.ones(1), x, x**3, 3 * x[:, :, None] ** 2)
+    assert spline.at(np.array([0.3])) == pytest.approx([0.027], abs=1e-6)
 
 
 def test_corners_leave_rest_out():

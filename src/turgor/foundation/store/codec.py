@@ -26,6 +26,9 @@ Json = Any
 #: Metadata of a field whose array is saved with seven digits, in half of the space, and computes with all digits.
 SEVEN_DIGITS: Mapping[str, bool] = MappingProxyType({"seven digits": True})
 
+#: The same with four digits of the largest number at each place of the last axis, in whole numbers of 16 bits.
+FOUR_DIGITS: Mapping[str, bool] = MappingProxyType({"four digits": True})
+
 #: Names under which a reader finds objects and arrays that are written elsewhere; None where they are not.
 Known = Callable[[object], str | None]
 
@@ -115,8 +118,16 @@ class Encoder:
     def _fields(self, value: Any, where: str) -> dict[str, Json]:
         kind = type(value).__name__
         values = {item.name: getattr(value, item.name) for item in fields(value)}
-        shorter = {name: values[name].astype(np.float32) for name in _shortened(type(value))}
-        return {name: self.encode(each, f"{where}, {kind}.{name}") for name, each in (values | shorter).items()}
+        shorter = {name: values[name].astype(np.float32) for name in _marked(type(value), SEVEN_DIGITS)}
+        rounded = {name: self._rounded(values.pop(name)) for name in _marked(type(value), FOUR_DIGITS)}
+        encoded = {name: self.encode(each, f"{where}, {kind}.{name}") for name, each in (values | shorter).items()}
+        return encoded | rounded
+
+    def _rounded(self, value: NDArray[Any]) -> Json:
+        """Whole numbers of 16 bits, their unit at each place of the last axis, and the type of the array."""
+        largest = np.abs(value).max(axis=tuple(range(value.ndim - 1)), initial=np.finfo(np.float32).tiny)
+        unit = (largest / np.iinfo(np.int16).max).astype(np.float64)
+        return {"rounded": [self.encode(np.rint(value / unit).astype(np.int16)), self.encode(unit), value.dtype.name]}
 
     def _noted(self, value: object, first: Json, again: Json) -> Json:
         """Remember the name of a value from now on. The reference to it stays, so that no other value gets its id."""
@@ -178,6 +189,9 @@ class Decoder:
                 return float(content)
             case "path":
                 return Path(content)
+            case "rounded":
+                whole, unit, name = (self.decode(item) for item in content)
+                return (whole * unit).astype(name)
             case "tuple" | "set" | "frozenset":
                 kind = {"tuple": tuple, "set": set, "frozenset": frozenset}[what]
                 return kind(self.decode(item) for item in content)
@@ -201,15 +215,15 @@ class Decoder:
         if wrong:
             raise TurgorError(f"{tree['class']} has values of another kind than they can have: {', '.join(wrong)}.")
         instance = _blank(kind)
-        values |= {name: values[name].astype(np.float64) for name in _shortened(kind)}
+        values |= {name: values[name].astype(np.float64) for name in _marked(kind, SEVEN_DIGITS)}
         for name, value in values.items():
             object.__setattr__(instance, name, value)
         return instance
 
 
-def _shortened(kind: Any) -> list[str]:
-    """Fields of a dataclass whose arrays are saved with seven digits."""
-    return [item.name for item in fields(kind) if item.metadata == SEVEN_DIGITS]
+def _marked(kind: Any, digits: Mapping[str, bool]) -> list[str]:
+    """Fields of a dataclass whose arrays are saved with fewer digits."""
+    return [item.name for item in fields(kind) if item.metadata == digits]
 
 
 def _blank(kind: Any) -> Any:

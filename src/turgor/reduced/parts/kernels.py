@@ -102,9 +102,12 @@ def forces(F, S, weights, G, starts):
 @njit(**LOOP, fastmath=FAST)
 @calls(kernels_geometry, kernels_point)
 def stiffened(F, S, D, weights, G):
-    """W (F D Fᵀ + δ S) G (p, 9, r), whose product with G is the tangent; S is that of the geometric part."""
+    """W (F D Fᵀ + δ S) G (p, 9, r), whose product with G is the tangent; S is that of the geometric part.
+
+    It is as short as G.
+    """
     count = G.shape[2]
-    out, a = np.empty(G.shape), np.empty(9)
+    out, a = np.empty(G.shape, G.dtype), np.empty(9, G.dtype)
     FD, A = np.empty((9, 6)), np.zeros((9, 9))
     for p in range(len(F)):
         push_forward(F[p], D[p], S[p], FD, A)
@@ -153,3 +156,28 @@ def constraint_forms(F, weights, out):
                     for m in range(modes):
                         out[at, m] += weights[p, m] * value
                     at += 1
+
+
+@njit(**LOOP, fastmath=FAST)
+def fiber_strains(share, shares, modes, weights):
+    """Stretches λ (k,) of fibers whose tension is a share (k,) of their stiffness, and their strains.
+
+    These are ∫ θ ½ (λ² − 1) (m,), with the derivatives (m, m) by the coordinates of the tension; ``shares`` (m, k) are
+    the modes θ over the stiffness.
+    """
+    count, total = modes.shape
+    stretch, slope, strains, change = np.empty(total), np.empty(total), np.empty(count), np.empty((count, count))
+    for p in range(total):
+        stretch[p] = 1.0 / (1.0 - share[p])
+        slope[p] = weights[p] * stretch[p] * stretch[p] * stretch[p]
+    for a in range(count):
+        strain = 0.0
+        for p in range(total):
+            strain += modes[a, p] * weights[p] * 0.5 * (stretch[p] * stretch[p] - 1.0)
+        strains[a] = strain
+        for b in range(a + 1):
+            value = 0.0
+            for p in range(total):
+                value += shares[a, p] * slope[p] * modes[b, p]
+            change[a, b] = change[b, a] = value
+    return stretch, strains, change

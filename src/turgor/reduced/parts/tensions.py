@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.foundation.store.codec import SEVEN_DIGITS
+from turgor.reduced.parts import kernels
 from turgor.reduced.settings import TENSIONS
 
 Array = NDArray[np.float64]
@@ -55,18 +56,18 @@ class Tensions:
         It is the smallest value of a convex function, which Newton's method finds while all stretches are finite.
         """
         shares, at_rest = self._at_rest
-        own, left, change = np.zeros(len(strains)), strains, at_rest @ strains
+        own, share, change = np.zeros(len(strains)), np.zeros(len(self.weights)), at_rest @ strains
         for _ in range(TENSIONS.iterations):
-            share = (own + change) @ shares
-            while share.max() >= TENSIONS.largest:
-                change = 0.5 * change
-                share = (own + change) @ shares
-            own, stretch = own + change, 1.0 / (1.0 - share)
-            left = strains - self.modes @ (self.weights * 0.5 * (stretch**2 - 1.0))
-            inverse = np.linalg.inv((shares * (self.weights * stretch**3)) @ self.modes.T).astype(np.float64)
-            change = inverse @ left
-            if np.abs(change).max() <= TENSIONS.tolerance * max(np.abs(own).max(), 1e-300):
+            step = change @ shares
+            last = np.abs(step).max() <= TENSIONS.tolerance
+            while (share + step).max() >= TENSIONS.largest:
+                change, step = 0.5 * change, 0.5 * step
+            own, share = own + change, share + step
+            stretch, own_strains, slopes = kernels.fiber_strains(share, shares, self.modes, self.weights)
+            inverse = np.linalg.inv(slopes).astype(np.float64)
+            if last:
                 return own, stretch, inverse
+            change = inverse @ (strains - own_strains)
             if not np.isfinite(change).all():
                 return None
         return None

@@ -77,7 +77,8 @@ def newton(equations: Equations, start: Array, inputs: Array, size: float) -> Ba
         change = float(np.linalg.norm(update[:r]))
         if not np.isfinite(change):
             return iteration
-        if change <= NEWTON.tolerance * size:
+        # a start a little off the valley of a stiff sheet has stresses, and so a tangent, that are far off
+        if change <= NEWTON.tolerance * size and iteration > 1:
             return Balance(at, at.y + update, inverse, iteration)
         length = min(1.0, NEWTON.longest * size / max(change, 1e-300))
         length, new = _inside(equations, at, length, update)

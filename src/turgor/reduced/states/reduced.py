@@ -12,7 +12,7 @@ from turgor.core.model.model import Model
 from turgor.foundation.display import Shown
 from turgor.foundation.errors import NotSolved, TurgorError
 from turgor.foundation.store.archive import Content, write_archive
-from turgor.foundation.store.codec import Encoder
+from turgor.foundation.store.codec import FOUR_DIGITS, Encoder
 from turgor.foundation.store.saved_objects import Saved
 from turgor.reduced.parts.inertia import Masses
 from turgor.reduced.settings import NEWTON
@@ -66,6 +66,8 @@ class Reduced(Saved, Shown):
     held_out : HeldOutErrors
     known : KnownErrors
         Errors at training and held-out states, from which the error of an answer is estimated.
+    spline : Spline or None
+        Answers at training states, from which Newton's method starts; None where it starts from the nearest.
     masses : Masses or None
         For motion; None where it was trained without.
     measures : KnownMeasures
@@ -76,7 +78,7 @@ class Reduced(Saved, Shown):
     inputs: Inputs
     equations: Equations
     checks: tuple[Part, ...]
-    modes: Small
+    modes: Small = field(metadata=FOUR_DIGITS)
     stresses: Small
     scales: tuple[float, float]
     faces: tuple[str, ...]
@@ -88,6 +90,7 @@ class Reduced(Saved, Shown):
     wanted: float = 0.005
     held_out: HeldOutErrors
     known: KnownErrors = field(default_factory=KnownErrors)
+    spline: Spline | None = None
     masses: Masses | None = None
     measures: KnownMeasures = field(default_factory=KnownMeasures)
 
@@ -108,7 +111,7 @@ class Reduced(Saved, Shown):
             By the keys of the inputs, or the ends of the keys: ``{"pressure": 10e3}``; a vector has all its components,
             ``{"tip.vector": (0, 0, 0.02)}``. A number where there is one input.
         start : ReducedState, optional
-            One to go on from, such as the last of a loop; by default the nearest training state.
+            One to go on from, such as the last of a loop; by default a spline through answers at training states.
 
         Returns
         -------
@@ -125,7 +128,7 @@ class Reduced(Saved, Shown):
         return self.at(self.inputs.vector(given), start)
 
     def solve_all(self, table: Iterable[Mapping[str, float | Sequence[float]] | float]) -> list[ReducedState]:
-        """Find the equilibria at many values of the inputs, each from the nearest training state."""
+        """Find the equilibria at many values of the inputs, each on its own."""
         return [self.solve(values) for values in table]
 
     def follow(
@@ -181,8 +184,8 @@ class Reduced(Saved, Shown):
     def under(self, aim: Array, start: ReducedState | None = None) -> ReducedState:
         """Find the equilibrium at a share of the loads that are no inputs, and inputs: (1 + n,); see `solve`."""
         vain = 0
-        if start is None:
-            result = newton(self.equations, self._spline.at(aim * self.weights), aim, self._size)
+        if start is None and self.spline is not None:
+            result = newton(self.equations, self.spline.at(aim), aim, self._size)
             if isinstance(result, Balance):
                 return ReducedState.of(self, result, vain)
             vain += result
@@ -208,11 +211,6 @@ class Reduced(Saved, Shown):
         """Weights of the distance to training states; the share counts where loads are no inputs."""
         fixed = bool(self.equations.pressures[:, 0].any() or self.equations.forces[:, 0].any())
         return np.concatenate([[1.0 if fixed else 0.0], 1.0 / (self.inputs.high - self.inputs.low)])
-
-    @cached_property
-    def _spline(self) -> Spline:
-        """Training states as a smooth function of the inputs."""
-        return Spline.through(self.trained_inputs * self.weights, self.trained)
 
     @cached_property
     def _size(self) -> float:

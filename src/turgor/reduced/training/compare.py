@@ -9,12 +9,13 @@ from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.core.engine.faces import surfaces
 from turgor.core.results.fields.state_fields import MeshFacts
 from turgor.foundation.errors import NotSolved
-from turgor.reduced.settings import ESTIMATE
+from turgor.reduced.settings import ESTIMATE, START
 from turgor.reduced.states.answer import ReducedState
 from turgor.reduced.states.estimate import KnownErrors
 from turgor.reduced.states.held_out import HeldOutErrors
 from turgor.reduced.states.inputs import Inputs
 from turgor.reduced.states.reduced import Reduced
+from turgor.reduced.states.spline import Spline
 from turgor.reduced.training.trainer import Path
 
 Array = NDArray[np.float64]
@@ -103,6 +104,31 @@ def known_errors(reduced: Reduced, paths: Sequence[Path]) -> KnownErrors:
         sizes=np.concatenate([sizes, ones]),
         indicators=np.nan_to_num(known, nan=largest),
     )
+
+
+def start_of(reduced: Reduced) -> Spline | None:
+    """Spline through answers at training states and their derivatives; None where there are no answers.
+
+    Parameters
+    ----------
+    reduced : Reduced
+    """
+    aims, r = reduced.trained_inputs, reduced.equations.sizes[0]
+    most = max(2, START.rows // (1 + len(reduced.inputs.keys)))
+    places, values, slopes = [], [], []
+    for aim in aims[np.unique(np.linspace(0, len(aims) - 1, min(len(aims), most)).astype(int))]:
+        try:
+            y = reduced.under(aim).y
+        except NotSolved:
+            continue
+        at = reduced.equations.at(y, aim)
+        if at is None:
+            continue
+        rates = -np.linalg.solve(at.tangent(), at.by_inputs())
+        steep = np.linalg.norm(rates[:r], axis=0) / np.where(reduced.weights > 0, reduced.weights, np.inf)
+        if steep.max() <= START.steepest * reduced.size:
+            places, values, slopes = [*places, aim], [*values, y], [*slopes, rates]
+    return Spline.through(reduced.weights, *map(np.array, (places, values, slopes))) if places else None
 
 
 def aim_of(box: Inputs, path: Path) -> Array:

@@ -111,7 +111,9 @@ class Trainer:
         derivatives = np.zeros((0, 3 * nodes)), np.zeros((0, m))
         inertial = derivatives
         if differentiated and states:
-            derivatives = _split(system, self._rates(system, tangent, states[-1]))
+            some = TRAINING.differentiated if len(values) > 1 else 1  # states along the only input have its derivatives
+            rates = [self._rates(system, tangent, states[place]) for place in _spread(len(states), some)]
+            derivatives = _split(system, np.concatenate(rates))
             if self.motion:
                 inertial = _split(system, self._inertial(system, tangent, states))
         return Path(
@@ -148,8 +150,7 @@ class Trainer:
     def _inertial(self, system: System, tangent: Tangent, states: Sequence[State]) -> Array:
         """Responses to the inertia of motions along the path, then to that of these, at states along it."""
         mass, rows = mass_data(system), []
-        last = len(states) - 1
-        for place in sorted({last * k // TRAINING.moving for k in range(1, TRAINING.moving + 1)}):
+        for place in _spread(len(states), TRAINING.moving):
             for motion in self._rates(system, tangent, states[place]):
                 for _ in range(TRAINING.responses):
                     size = max(float(np.linalg.norm(motion)), 1e-300)
@@ -177,6 +178,11 @@ class Trainer:
             rate = tangent.solve(system.joined(force) * width)
             rows.append(np.where(system.prescribed, 0.0, rate))
         return np.array(rows)
+
+
+def _spread(count: int, some: int) -> list[int]:
+    """Some of a number of states along a path, the last among them."""
+    return sorted({(count - 1) * k // some for k in range(1, some + 1)})
 
 
 def _unit_forces(system: System, face: str, position: Array) -> Array:

@@ -141,3 +141,10 @@ def test_held_out_states_agree(model: tg.Model) -> None:
     (part,) = [each for each in reduced.equations.parts if isinstance(each, Tensions)]
     assert len(part.modes) <= TENSIONS.modes
     assert "pieces of layers" not in reduced.counts
+
+
+def test_fibers_are_evaluated_at_rest(model: tg.Model) -> None:
+    """Round-off of the strains there is no reason to go on."""
+    vectors, _ = some_modes(System(model))
+    (tensions,) = tensions_of(System(model), [(vectors @ [0.3, 0.1, 0.2]).reshape(-1, 3)], vectors)
+    assert np.abs(tensions.at(np.zeros(3)).forces()).max() < 1e-9 * tensions.stiffness.max()

@@ -101,7 +101,7 @@ def with_tip_force():
     high = np.array([PRESSURE, 5.0])
     box = Inputs(("loads.pressure", "loads.tip.vector.3"), np.array([0.0, -5.0]), high, ("kPa", "N"))
     more = np.column_stack([known.trained_inputs, np.zeros(len(known.trained_inputs))])
-    return replace(known, inputs=box, equations=equations, trained_inputs=more, known=KnownErrors())
+    return replace(known, inputs=box, equations=equations, trained_inputs=more, known=KnownErrors(), spline=None)
 
 
 def test_stiffness_and_blocked_force_come_from_forces_on_the_tip():
