@@ -147,11 +147,13 @@ def test_the_page_shows_the_example():
     page, example = (
         (root / name).read_text(encoding="utf-8") for name in ("docs/howto/cad.md", "examples/cad_file.toml")
     )
-    blocks, (code,) = (re.findall(rf"```{kind}\n(.*?)```", page, re.DOTALL) for kind in ("toml", "python"))
-    shown, _, _, split, _, _ = blocks
+    blocks, (code, _) = (re.findall(rf"```{kind}\n(.*?)```", page, re.DOTALL) for kind in ("toml", "python"))
+    shown, _, _, split, _, drawn, _, _ = blocks
     stated = tomllib.loads(example)
     assert tomllib.loads(shown)["actuator"] == stated["actuator"]
     assert set(tomllib.loads(split)["actuator"]["split"]) == {"thickness"}
+    finger = tomllib.loads((root / "examples" / "drawn_finger.toml").read_text(encoding="utf-8"))["actuator"]
+    assert {"symmetry": "automatic", **tomllib.loads(drawn)["actuator"]} == {"function": "build", **finger}
     job = tg.jobs.read_job(root / "examples" / "cad_file.toml")
     names: dict = {}
     exec(code.replace('"examples/', f'"{root.as_posix()}/examples/').replace("mesh = ", "made = lambda: "), names)
