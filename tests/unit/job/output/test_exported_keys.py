@@ -20,7 +20,7 @@ from turgor.job.read import read_job
 EXAMPLES = Path(__file__).parents[4] / "examples"
 
 #: Examples that are written for Abaqus, and those that are refused with what has no form.
-WRITTEN = ("axisymmetric_bellows", "blocked_force", "extender_life", "film", "grasp", "soft_arm", "two_balloons")
+WRITTEN = ("axisymmetric_bellows", "deck_of_stages", "extender_life", "film", "grasp", "soft_arm", "two_balloons")
 REFUSED = {
     "bond_peel": ("bond", "'seam'"),
     "hang_fill_press": ("stage 'fill'", "VolumeControl"),
