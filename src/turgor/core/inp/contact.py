@@ -102,7 +102,7 @@ def _with_itself(context: Context, name: str, own: SelfContact, walls: Surface) 
     for one, other in facing.pairs.tolist():
         lines += _pair(name, f"wall_{name}_{one + 1}", f"wall_{name}_{other + 1}")
     if len(facing.pairs):
-        _account(context, what, own, walls, f"{len(facing.pairs)} pairs of walls that face each other at rest")
+        _account(context, what, own, walls, f"pairs of walls that face each other at rest: {len(facing.pairs)}")
     context.left_out(what, f"contact of parts of {name} that do not face each other at rest")
     return lines
 
@@ -114,7 +114,7 @@ def _mirrors(model: Model) -> Iterator[Obstacle]:
     for name, (axis, level) in zip(model.mesh.symmetry_faces, model.mesh.mirror_planes, strict=True):
         normal, point = np.zeros(3), np.zeros(3)
         normal[axis], point[axis] = np.sign(model.mesh.points[:, axis].mean() - level), level
-        shape = Plane(point=tuple(point.tolist()), normal=tuple(normal.tolist()))
+        shape = Plane(point=(point[0], point[1], point[2]), normal=(normal[0], normal[1], normal[2]))
         yield Obstacle(name=f"mirror_{name}", shape=shape)
 
 

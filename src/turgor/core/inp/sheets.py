@@ -9,7 +9,7 @@ from turgor.core.materials.material import Material
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.model.sheets import Sheet, Shell
 from turgor.foundation.errors import TurgorError
-from turgor.units import MPa, mm
+from turgor.units import mm
 
 #: Cells of a shell on triangles and quadrilaterals; Abaqus has no S6.
 SHELLS = {("calculix", True): "S6", ("calculix", False): "S8R", ("abaqus", True): "STRI65", ("abaqus", False): "S8R"}
@@ -101,12 +101,8 @@ def _account(context: Context, name: str, sheet: Sheet, kind: str) -> None:
     elif not _bends(sheet) and not context.for_abaqus:
         context.approximated(what, f"{kind}, of which CalculiX makes thin solids, which bend")
     elif _plate(sheet)[1] != sheet.thickness:
-        thickness = _plate(sheet)[1]
-        context.written(
-            what,
-            f"{kind} of {thickness / mm:.4g} mm and {_plate(sheet)[0].law.E / MPa:.4g} MPa, which stretches and bends "  # type: ignore[attr-defined]
-            "as the sheet with its own bending stiffness does",
-        )
+        text = f"{kind} of {_plate(sheet)[1] / mm:.4g} mm, which stretches, bends and weighs as the sheet does"
+        context.written(what, text)
     elif not context.for_abaqus:
         context.approximated(what, f"{kind}, of which CalculiX makes thin solids")
     else:

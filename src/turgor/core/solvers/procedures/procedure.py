@@ -28,6 +28,8 @@ class DeckStep:
         How it differs from the procedure, after the keyword; empty where it is the same.
     first, most : float
         First and longest increment of time, where the procedure states them.
+    more : str
+        What follows the increments of time on their line.
     damping : (float, float)
         Rayleigh's coefficients of the mass [1/s] and the stiffness [s].
     velocity : (3,) floats [m/s]
@@ -38,6 +40,7 @@ class DeckStep:
     differs: str = ""
     first: float = inf
     most: float = inf
+    more: str = ""
     damping: tuple[float, float] = (0.0, 0.0)
     velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
