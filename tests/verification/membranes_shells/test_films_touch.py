@@ -13,6 +13,8 @@ in the middle as on a plate (`test_films_alone`): each has the length b + π H, 
 p b w. Tolerance: 1 % of the force.
 """
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -150,3 +152,22 @@ def test_the_tangent_is_the_derivative_of_the_forces(record_verification):
         tolerance="1e-5",
     )
     assert error < 1e-5
+
+
+def test_a_lens_opens_again(record_verification):
+    """Emptied and then inflated, it is what it is when it is inflated at once: nothing sticks, nothing has crossed."""
+    model = _lens_model(2 * kPa, cells=6)
+    volumes = []
+    for history in (((0, 0), (0.5, -1), (1, 1)), ((0, 0), (1, 1))):
+        loaded = replace(model, loads=[tg.Pressure("cavity", 2 * kPa, history)])
+        state = problems.solve(loaded, tg.Static(max_step=0.5)).states[-1]
+        volumes.append(cavity_volume(model.mesh, "cavity", state.displacement) * 1e9)
+    record_verification(
+        claim="lens of film, emptied and then inflated: volume [mm³]",
+        source="the same, inflated at once",
+        expected=volumes[1],
+        got=volumes[0],
+        tolerance="1e-4",
+    )
+    assert volumes[0] == pytest.approx(volumes[1], rel=1e-4)
+    assert volumes[1] > 3000
