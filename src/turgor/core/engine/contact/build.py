@@ -169,14 +169,15 @@ def _films_with_themselves(
 ) -> list[PairPart | ShapePart]:
     """Films meet each other; those around a cavity that is pressed together, their images in mirror planes."""
     mesh, chosen, (points, stiffness) = model.mesh, model.contact.self_contact, sizes
-    assert surface.outward is not None and chosen is not None
+    outward = surface.outward
+    assert outward is not None and chosen is not None
     if chosen.stiffness is not None:
         surface = _stiff(surface, chosen.stiffness * stiffness)
     parts: list[PairPart | ShapePart] = []
     if model.contact.for_mesh(mesh) is not None:
         parts.append(_pairs(model, surface, points, like))
     for cavity in pressed_together(model) if model.contact.automatic else mesh.cavities:
-        inner = surface.chosen(of_face(mesh, surface, cavity) & ~surface.outward)
+        inner = surface.chosen(of_face(mesh, surface, cavity) & ~outward)
         parts += [part for name in mesh.symmetry_faces for part in _mirror(mesh, name, inner, points)]
     return parts
 
@@ -225,7 +226,8 @@ def _settled(surface: Surface, partners: Partners, points: Array) -> Partners:
         count = len(start) - 1
         keys = np.repeat(np.arange(count), np.diff(start)) * count + listed_now
         changed = np.setxor1d(keys, np.unique(side * count + partner))
-        partners = replace(partners, strangers=listed(*np.divmod(changed, count), count))
+        rows, exceptions = np.divmod(changed, count)
+        partners = replace(partners, strangers=listed(rows, exceptions, count))
 
 
 def _around(layers: Sequence[Ints], corners: int) -> tuple[Ints, Ints]:
