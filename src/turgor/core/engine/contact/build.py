@@ -222,9 +222,9 @@ def _settled(surface: Surface, partners: Partners, points: Array) -> Partners:
         if not len(inside):
             return partners
         side, partner = inside[:, 0], contact.partner[inside[:, 0], inside[:, 1]]
-        start, listed_now = partners.strangers
+        start, never = partners.strangers
         count = len(start) - 1
-        keys = np.repeat(np.arange(count), np.diff(start)) * count + listed_now
+        keys = np.repeat(np.arange(count), np.diff(start)) * count + never
         changed = np.setxor1d(keys, np.unique(side * count + partner))
         rows, exceptions = np.divmod(changed, count)
         partners = replace(partners, strangers=listed(rows, exceptions, count))
@@ -236,7 +236,8 @@ def _around(layers: Sequence[Ints], corners: int) -> tuple[Ints, Ints]:
     for layer in layers:
         pairs.append(start + np.array(neighbors(layer, corners)))
         start += len(layer)
-    return listed(*np.concatenate(pairs, axis=1), start)
+    rows, values = np.concatenate(pairs, axis=1)
+    return listed(rows, values, start)
 
 
 def _mirror(mesh: Mesh, name: str, surface: Surface, points: Array) -> list[PairPart | ShapePart]:

@@ -142,8 +142,8 @@ def film_exceptions(mesh: Mesh, surface: Surface, points: Array) -> tuple[Ints, 
         rows.append(_exceptions(block, count))
     keys = np.unique(np.concatenate(rows))
     row, column = np.divmod(keys, 2 * count)
-    both = np.unique(np.concatenate([keys, column * 2 * count + row]))
-    return listed(*np.divmod(both, 2 * count), 2 * count)
+    row, column = np.divmod(np.unique(np.concatenate([keys, column * 2 * count + row])), 2 * count)
+    return listed(row, column, 2 * count)
 
 
 def _compared(block: Ints, center: Array, normal: Array, known: tuple[Ints, Ints, Bools], reach: float) -> _Rows:
