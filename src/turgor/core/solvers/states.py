@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from turgor.core.engine.contact.pressure import contact_area, nodal_pressure
+from turgor.core.engine.contact.points_part import contact_area, nodal_pressure
 from turgor.core.engine.points.read_motion import motions
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.model.drive import pressures_at

@@ -174,14 +174,15 @@ def _films_with_themselves(
 ) -> list[PairPart | ShapePart]:
     """Films meet each other; those around a cavity that is pressed together, their images in mirror planes."""
     mesh, chosen, (points, stiffness) = model.mesh, model.contact.self_contact, sizes
-    assert surface.outward is not None and chosen is not None
+    outward = surface.outward
+    assert outward is not None and chosen is not None
     if chosen.stiffness is not None:
         surface = _stiff(surface, chosen.stiffness * stiffness)
     parts: list[PairPart | ShapePart] = []
     if model.contact.for_mesh(mesh) is not None:
         parts.append(_pairs(model, surface, points, like))
     for cavity in pressed_together(model) if model.contact.automatic else mesh.cavities:
-        inner = surface.chosen(of_face(mesh, surface, cavity) & ~surface.outward)
+        inner = surface.chosen(of_face(mesh, surface, cavity) & ~outward)
         parts += [part for name in mesh.symmetry_faces for part in _mirror(mesh, name, inner, points)]
     return parts
 
@@ -226,11 +227,12 @@ def _settled(surface: Surface, partners: Partners, points: Array) -> Partners:
         if not len(inside):
             return partners
         side, partner = inside[:, 0], contact.partner[inside[:, 0], inside[:, 1]]
-        start, listed_now = partners.strangers
+        start, never = partners.strangers
         count = len(start) - 1
-        keys = np.repeat(np.arange(count), np.diff(start)) * count + listed_now
+        keys = np.repeat(np.arange(count), np.diff(start)) * count + never
         changed = np.setxor1d(keys, np.unique(side * count + partner))
-        partners = replace(partners, strangers=listed(*np.divmod(changed, count), count))
+        rows, exceptions = np.divmod(changed, count)
+        partners = replace(partners, strangers=listed(rows, exceptions, count))
 
 
 def _around(layers: Sequence[Ints], corners: int) -> tuple[Ints, Ints]:
@@ -239,7 +241,8 @@ def _around(layers: Sequence[Ints], corners: int) -> tuple[Ints, Ints]:
     for layer in layers:
         pairs.append(start + np.array(neighbors(layer, corners)))
         start += len(layer)
-    return listed(*np.concatenate(pairs, axis=1), start)
+    rows, values = np.concatenate(pairs, axis=1)
+    return listed(rows, values, start)
 
 
 def _mirror(mesh: Mesh, name: str, surface: Surface, points: Array) -> list[PairPart | ShapePart]:

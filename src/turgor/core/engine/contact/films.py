@@ -102,13 +102,13 @@ class _Rows:
         ahead = np.minimum(over, under)
         level = np.where(self.same, -self.tolerance, self.tolerance)
         groove = ahead > CONTACT_SEARCH.above * self.distance
-        flat = (ahead > level) & (cosine < np.where(self.joined, -CONTACT_SEARCH.smooth, CONTACT_SEARCH.beside))
+        flat = (ahead > level) & (cosine < np.where(self.joined, -CONTACT_SEARCH.smooth, CONTACT_SEARCH.facing))
         return groove | flat
 
     def chosen(self, which: Bools) -> "_Rows":
         """Return some of the pairs."""
-        fields = (getattr(self, name)[which] for name in ("i", "j", "distance", "over", "under", "facing"))
-        return _Rows(*fields, self.joined[which], self.same[which], self.closed[which], self.tolerance)
+        names = ("i", "j", "distance", "over", "under", "facing", "joined", "same", "closed")
+        return replace(self, **{name: getattr(self, name)[which] for name in names})
 
 
 def film_exceptions(mesh: Mesh, surface: Surface, points: Array) -> tuple[Ints, Ints]:
@@ -142,8 +142,8 @@ def film_exceptions(mesh: Mesh, surface: Surface, points: Array) -> tuple[Ints, 
         rows.append(_exceptions(block, count))
     keys = np.unique(np.concatenate(rows))
     row, column = np.divmod(keys, 2 * count)
-    both = np.unique(np.concatenate([keys, column * 2 * count + row]))
-    return listed(*np.divmod(both, 2 * count), 2 * count)
+    row, column = np.divmod(np.unique(np.concatenate([keys, column * 2 * count + row])), 2 * count)
+    return listed(row, column, 2 * count)
 
 
 def _compared(block: Ints, center: Array, normal: Array, known: tuple[Ints, Ints, Bools], reach: float) -> _Rows:

@@ -142,8 +142,8 @@ class PairPart(PointsPart):
         grid = Grid.of(others[0], p.reach + float(own[1].max() + others[1].max()))
         cubes = (grid.low, grid.edge, grid.counts, grid.start, grid.order)
         allowed = (p.overhang, p.depth)
-        opened = [np.ones(len(sides), dtype=bool) if p.open is None else p.open for sides in (s.sides, p.sides)]
-        apart = (*opened, *p.strangers)
+        opened = [np.ones(len(sides), dtype=np.bool_) if p.open is None else p.open for sides in (s.sides, p.sides)]
+        apart = (opened[0], opened[1], p.strangers[0], p.strangers[1])
         return find_partners((x, normal), every, p.sides, (own, others), cubes, allowed, p.reach, apart)
 
     def _springs(self, points: Ints, partner: Ints) -> Array:

@@ -97,7 +97,7 @@ def find_partners(
     grid: tuple[Any, ...],
     allowed: tuple[Array, Array],
     reach: float,
-    apart: tuple[Array, Array, Ints, Ints],
+    apart: tuple[NDArray[np.bool_], NDArray[np.bool_], Ints, Ints],
 ) -> tuple[Ints, Array, Array]:
     """Nearest partner of every point: side (s, q), −1 for none; its place (s, q, 2); signed gap (s, q), inf for none.
 

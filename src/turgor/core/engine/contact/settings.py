@@ -29,7 +29,7 @@ class ContactSearchSettings:
         side. A converged state has no deeper point.
     above : float
         Two sides with a common node face each other where each lies above the other by this share of their distance.
-    beside : float
+    facing : float
         Two films face each other at rest where the cosine between their sides is below this, as 72° and more.
     walk : int
         A foot point may cross so many sides between two searches.
@@ -54,7 +54,7 @@ class ContactSearchSettings:
     depth: float = 0.25
     behind: float = 2.0
     above: float = 0.1
-    beside: float = 0.3
+    facing: float = 0.3
     walk: int = 4
     overhang: float = 0.03
     smooth: float = 0.8

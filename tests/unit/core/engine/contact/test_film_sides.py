@@ -53,8 +53,9 @@ def test_films_of_two_bodies_touch_with_the_sides_that_look_at_each_other(first,
     assert _may_touch(_film("a", 0, below=first), _film("b", 1, below=second)) == {expected}
 
 
-def test_films_beside_each_other_touch_with_the_sides_that_look_out():
-    assert _may_touch(_film("a", 0), _film("b", 0, shift=30)) == {("ao", "bo")}
+@pytest.mark.parametrize("below", [True, False])
+def test_films_beside_each_other_touch_with_the_sides_that_look_out(below):
+    assert _may_touch(_film("a", 0), _film("b", 0, below=below, shift=22)) == {("ao", "bo")}
 
 
 def test_films_on_each_other_without_a_cavity_between_them_are_refused():

@@ -1,8 +1,8 @@
 """Films that touch each other: two sides of a pouch, and two pouches.
 
 Pouch without air: a pouch of two flat films that lie on each other from the start. With less pressure inside than
-outside they press on each other with the difference, everywhere, and nothing moves. Exact. Tolerance: 1e-3 of the
-pressure. Nothing stretches the films, so that they find their place in their plane to 1e-4 of the length only.
+outside they press on each other with the difference, everywhere. Exact. Tolerance: 1e-3 of the pressure; nothing moves
+by more than the penalty allows.
 
 Lens: two arcs of a film between two seams of which one may slide. Emptied, the arcs lie flat on each other: they
 enclose nothing, and press on each other with the pressure, whichever side of the film is said to look into the cavity.
@@ -11,8 +11,9 @@ Exact: no volume is left, and each arc has its length at rest, R times its angle
 Two tubes: halves of two strips without stretch at the distance 2 H, inflated towards each other. By symmetry they meet
 in the middle as on a plate (`test_films_alone`): each has the length b + π H, lies on the other over b, and pushes with
 p b w. Tolerance: 1 % of the force.
-
 """
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -56,7 +57,7 @@ def test_a_flat_pouch_without_air(record_verification):
         tolerance="1e-3",
     )
     assert got == pytest.approx([5, 5000], rel=1e-3)
-    assert np.abs(state.displacement).max() < 1e-4 * LENGTH
+    assert np.abs(state.displacement).max() < 0.01 * LENGTH / 2 / 2  # half of the penetration allowed
 
 
 def _lens(cells, within):
@@ -151,3 +152,22 @@ def test_the_tangent_is_the_derivative_of_the_forces(record_verification):
         tolerance="1e-5",
     )
     assert error < 1e-5
+
+
+def test_a_lens_opens_again(record_verification):
+    """Emptied and then inflated, it is what it is when it is inflated at once: nothing sticks, nothing has crossed."""
+    model = _lens_model(2 * kPa, cells=6)
+    volumes = []
+    for history in (((0, 0), (0.5, -1), (1, 1)), ((0, 0), (1, 1))):
+        loaded = replace(model, loads=[tg.Pressure("cavity", 2 * kPa, history)])
+        state = problems.solve(loaded, tg.Static(max_step=0.5)).states[-1]
+        volumes.append(cavity_volume(model.mesh, "cavity", state.displacement) * 1e9)
+    record_verification(
+        claim="lens of film, emptied and then inflated: volume [mm³]",
+        source="the same, inflated at once",
+        expected=volumes[1],
+        got=volumes[0],
+        tolerance="1e-4",
+    )
+    assert volumes[0] == pytest.approx(volumes[1], rel=1e-4)
+    assert volumes[1] > 3000
