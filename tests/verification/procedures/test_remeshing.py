@@ -3,7 +3,7 @@
 New cells are pieces of the old ones, so displacement, volume and resultants are carried over to round-off. An elastic
 body forgets its path: with cells cut on the way it must reach the state of the path that begins on the last mesh, to
 the tolerance of the solve. Rubber that relaxes and softens must come as close as the fit of its internal variables in
-each old cell allows: 0.1 %. What a state moves by on new cells is the mesh error that it had. Halving quadratic cells
+each old cell allows: 0.2 %. What a state moves by on new cells is the mesh error that it had. Halving quadratic cells
 divides that of the displacements by 8 where they are small enough; 5 is required between one and two cells in a wall.
 """
 
@@ -96,6 +96,11 @@ def degraded_at_half(monkeypatch):
     return call
 
 
+def cut_at(solution):
+    """Load factors at which cells were cut."""
+    return [step.load_factor for step in solution.steps if step.cause is Cause.REMESHED]
+
+
 def same_as_from_the_start(solution, within):
     """The path on the last mesh from the start; the last states agree to a share of the displacement."""
     again = solve(solution.model, replace(solution.procedure, remesh=False))
@@ -137,10 +142,10 @@ def test_the_error_falls_with_the_cells(record_verification):
 def test_a_ballooned_block_goes_on_with_new_cells(record_verification):
     solution = ballooned(HEXAHEDRON, 30.0, remesh=True)
     assert solution.converged and {id(state.model) for state in solution.states} == {id(solution.model)}
-    cut = [step for step in solution.steps if step.cause is Cause.REMESHED]
+    cut = cut_at(solution)
     notes = [each.message for each in solution.findings if each.code == "N07"]
     assert len(cut) == len(notes) >= 1
-    assert notes[0].startswith(f"New cells at load factor {cut[0].load_factor:.4g}: 7 became")
+    assert notes[0].startswith(f"New cells at load factor {cut[0]:.4g}: 7 became")
     response = tg.measure(solution, tg.cavity_volume, mesh_error=False)
     rising = np.diff(response["cavity_volume"])
     assert len(response) == len(solution.states) and (rising > 0).all()
@@ -163,11 +168,11 @@ def test_a_block_that_stops_on_its_cells_goes_on():
 def test_rubber_remembers_on_new_cells(degraded_at_half, record_verification):
     model = degraded_at_half(sphere(1, RELAXING))
     solution = solve(model, tg.Static(duration=1.0, remesh=True, **STEPS))
-    assert len(solution.model.mesh.cells) > len(model.mesh.cells)
+    assert cut_at(solution) == [0.5] and len(solution.model.mesh.cells) > len(model.mesh.cells)
     assert [state.time for state in solution.states] == [0.0, 0.25, 0.5, 0.75, 1.0]
-    _, apart = same_as_from_the_start(solution, 1e-3)
+    _, apart = same_as_from_the_start(solution, 2e-3)
     claim = "relaxing, softening sphere whose cells were cut at half the load, against the path on the last ones"
-    record_verification(claim, "the same problem", 0.0, apart, "1e-3")
+    record_verification(claim, "the same problem", 0.0, apart, "2e-3")
     assert apart > 0  # the fit is not exact
 
 
@@ -175,7 +180,9 @@ def test_contact_is_rebuilt_on_new_cells(degraded_at_half):
     plate = contact_cases.pushed(tg.obstacles.Plane(point=(0, 0, 5 * MM), normal=(0, 0, -1)), (0, 0, -0.5))
     model = degraded_at_half(contact_cases.standing(contact_cases.block((1, 1, 1)), plate))
     solution = solve(model, tg.Static(remesh=True, **STEPS))
-    assert len(solution.model.mesh.cells) > 1
+    cut = cut_at(solution)
+    assert len(cut) == 1 and cut[0] >= 0.5 and len(solution.model.mesh.cells) > 1
+    assert (np.diff([state.load_factor for state in solution.states]) > 0).all()
     again, _ = same_as_from_the_start(solution, 1e-5)
     forces = [contact_cases.push(each.states[-1].touches["plate"]) for each in (solution, again)]
     assert forces[0] == pytest.approx(forces[1], rel=1e-4, abs=1e-6)

@@ -153,16 +153,18 @@ def _path_until(solution: Solution, place: int, new: Remeshed) -> PathSoFar:
 
 
 def _finding(before: Model, new: Remeshed) -> Finding:
-    error, state = new.error, new.state
+    error, factor = new.error, new.state.load_factor
     pressure = f", unknown pressures by {100 * error.pressure:.2g} %" if error.pressure else ""
+    moved = (
+        " Displacements were carried over without error; the equilibrium on the new cells differs by "
+        f"{100 * error.displacement:.2g} % of them, its energy by {100 * error.energy:.2g} %{pressure}."
+    )
     return Finding(
         code="N07",
         severity=Severity.NOTE,
-        message=f"New cells at load factor {state.load_factor:.4g}: {len(before.mesh.cells)} became "
-        f"{len(state.model.mesh.cells)}. Displacements were carried over without error; the equilibrium on the new "
-        f"cells differs by {100 * error.displacement:.2g} % of them, its energy by {100 * error.energy:.2g} %"
-        f"{pressure}.",
-        advice="The states before have the error of the cells before. Where it matters, mesh finer from the start.",
+        message=f"New cells at load factor {factor:.4g}: {len(before.mesh.cells)} became "
+        f"{len(new.state.model.mesh.cells)}.{moved if factor else ' The path began again with them.'}",
+        advice="States before have the error of the cells before. Where it matters, mesh finer from the start.",
     )
 
 
