@@ -7,7 +7,6 @@ from turgor.foundation.lazy_names import public
 if TYPE_CHECKING:
     from turgor.core.materials.alloys.alloy import ShapeMemoryAlloy as ShapeMemoryAlloy
     from turgor.core.model.history import over_time as over_time
-    from turgor.core.model.layer_stack import LayerStack as LayerStack
     from turgor.core.model.loads import BodyForce as BodyForce
     from turgor.core.model.loads import Centrifugal as Centrifugal
     from turgor.core.model.loads import Channel as Channel
@@ -30,5 +29,6 @@ if TYPE_CHECKING:
     from turgor.core.model.loads import Temperature as Temperature
     from turgor.core.model.loads import Tendon as Tendon
     from turgor.core.model.loads import Traction as Traction
+    from turgor.core.model.loads.layer_stack import LayerStack as LayerStack
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -109,9 +109,9 @@ def test_cold_austenite_without_stress_is_twinned():
 
 
 def test_slope_is_the_derivative_of_the_stress():
-    hot = Phases(stress=0.0, temperature=30 + ZERO, detwinned=0.2, twinned=0.5)
-    for celsius, strain in ((16.0, 0.016), (45.0, 0.008), (70.0, 0.02)):
-        step = WireStep(ALLOY, hot, celsius + ZERO, 20 + ZERO)
+    cool, half = (Phases(stress=0.0, temperature=celsius + ZERO, detwinned=0.2, twinned=0.5) for celsius in (30, 42))
+    for start, celsius, strain in ((cool, 16.0, 0.016), (cool, 70.0, 0.02), (half, 45.0, 0.009), (half, 47.0, 0.008)):
+        step = WireStep(ALLOY, start, celsius + ZERO, 20 + ZERO)
         got = step.to(strain)[1]
         difference = (step.to(strain + 1e-7)[0].stress - step.to(strain - 1e-7)[0].stress) / 2e-7
         assert got == pytest.approx(difference, rel=1e-5)

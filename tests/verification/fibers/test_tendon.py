@@ -135,15 +135,19 @@ def _corner(state):
     return (*(float(each) for each in result.tension), float(turn))
 
 
-def test_a_stage_lets_a_cable_go():
+@pytest.mark.parametrize("drives", [({"tension": 2.0}, {"tension": 0.9}), ({"pull": 3 * MM}, {"pull": 1.35 * MM})])
+def test_a_stage_lets_a_cable_go(drives):
     """A cable that is let go in a stage of its own is one cable, and its friction goes on."""
-    cables = [tg.loads.Tendon(through=CORNER, tension=tension, friction=0.3) for tension in (2.0, 0.9)]
+    stiff = {"cable_stiffness": 2e3} if "pull" in drives[0] else {}
+    cables = [tg.loads.Tendon(through=CORNER, friction=0.3, **drive, **stiff) for drive in drives]
     stages = tg.Stages([tg.Stage("pull", loads=cables[:1]), tg.Stage("let go", loads=cables[1:])])
     first, second, turn = _corner(problems.solve(_block([]), stages).states[-1])
-    once = tg.loads.Tendon(through=CORNER, tension=2.0, friction=0.3, history=((0, 0), (0.5, 1), (1, 0.45)))
+    back = ((0, 0), (0.5, 1), (1, 0.45))
+    once = tg.loads.Tendon(through=CORNER, friction=0.3, history=back, **drives[0], **stiff)
     at_once = _corner(problems.solve(_block([once])).states[-1])
     assert (first, second, turn) == pytest.approx(at_once, rel=1e-3)
-    assert first == pytest.approx(0.9) and second > 1.1 * first * np.exp(-0.3 * turn)
+    assert second > 1.1 * first * np.exp(-0.3 * turn)
+    assert first == pytest.approx(drives[1].get("tension", first))
 
 
 def test_results_show_the_cable_with_its_tension():

@@ -162,7 +162,8 @@ def check_elastic(system: System, at: Evaluation) -> None:
             "elastic body; close the cavity, or leave the pressure out."
         )
     turning = system.terms.unsymmetric_matrix(system.configuration(at), system.size)
-    if turning is not None and abs(turning).max() > 0:
+    rubs = any(getattr(load, "friction", 0.0) for load in system.model.loads)  # a cable that sticks is symmetric
+    if rubs or (turning is not None and abs(turning).max() > 0):
         raise TurgorError(
             "a moment or a follower force on a reference point, or a cable with friction, has no potential, so that "
             "the modes are not those of an elastic body; leave it out, prescribe the rotation, or take no friction."
