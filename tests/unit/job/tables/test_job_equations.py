@@ -50,7 +50,7 @@ def test_they_are_read_and_written_back(tmp_path: Path) -> None:
     assert {lever, tg.supports.Tied("outside", "tip")} < set(job.supports)
     assert spin in job.loads
     lock = tmp_path / "again.toml"
-    lock.write_text(lock_text(job, "a test"), encoding="utf-8")
+    lock.write_text(lock_text(job, {}), encoding="utf-8")
     assert (read_job(lock).supports, read_job(lock).loads) == (job.supports, job.loads)
 
 
