@@ -157,6 +157,6 @@ def test_one_that_moves_a_face_needs_no_more(tmp_path):
 
 def test_few_files_ask_for_classes_of_supports():
     classes = {kind.__name__ for kind in SUPPORTS.values()} | {"Shift", "FixedTip"}
-    assert len(classes) == 10
+    assert len(classes) == 12
     querying = files_that_query(classes, without=("core/model/supports",))
     assert len(querying) <= 2, querying

@@ -99,6 +99,22 @@ def test_surfaces_of_other_nodes_are_tied(tmp_path):
         tg.files.import_deck(deck(tmp_path, mesh=mesh, model=model.replace("FOOT, LID", "TOP, FOOT"), steps=load))
 
 
+def test_contact_that_ties_is_a_tie(tmp_path):
+    pair = "*SURFACE INTERACTION, NAME=GLUE\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TIED\n1.e7\n"
+    pair += "*CONTACT PAIR, INTERACTION=GLUE\nFOOT, LID\n"
+    read = tg.files.import_deck(deck(tmp_path, mesh=NODES + CELLS + SMALL, model=FIXED + pair))
+    assert 'tied_to = "tied_to"' in read.job
+    assert "self_contact = false" in read.job
+
+
+def test_numbers_beyond_the_nodes_of_a_cell_are_skipped(tmp_path):
+    longer = CELLS.replace("6,7,8\n", "6,7,8,9,10,\n").replace(
+        "2, 5,6,7,8,9,10,11,12\n", "2, 5,6,7,8,9,10,11,12,1,2,\n"
+    )
+    plain, other = (tg.files.import_deck(deck(tmp_path, mesh=NODES + cells)).mesh for cells in (CELLS, longer))
+    assert plain == other
+
+
 def test_nodes_at_one_place_stay_two_without_a_tie(tmp_path):
     foot = "*BOUNDARY\n24, 1, 3\n25, 1, 3\n26, 1, 3\n27, 1, 3\n"
     read = model_in(deck(tmp_path, mesh=NODES + CELLS + SMALL, model=FIXED + foot), tmp_path)
