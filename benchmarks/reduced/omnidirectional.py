@@ -79,7 +79,7 @@ class Case:
 CASES = {
     "pressures": Case(
         "pressures", PRESSURES, (),
-        Budget(error=0.005, paths=19, held_out=0, modes=30, steps=7, aims=PRESSED),
+        Budget(error=0.005, paths=19, held_out=0, modes=38, steps=7, aims=PRESSED),
     ),
     "forces": Case(
         "forces",
