@@ -153,9 +153,8 @@ def _followed(
 ) -> Solution:
     """Follow a question for a script: with a bar in a terminal or a notebook, and its findings as warnings."""
     with watched(progress) as watcher:
-        options = question.options
-        if options.notify is None and watcher.notify is not None:
-            question = replace(question, options=replace(options, notify=watcher.notify))
+        if question.options.notify is None and watcher.notify is not None:
+            question = replace(question, options=replace(question.options, notify=watcher.notify))
         return follow_question(question, Listeners(watcher.progress, stop, show_warning), record, throw)
 
 
