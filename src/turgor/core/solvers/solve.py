@@ -32,10 +32,9 @@ from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.progress.watchers import Progress as Progress
 from turgor.core.solvers.progress.watchers import watched
-from turgor.core.solvers.remeshing.on_the_way import follow_remeshing
 from turgor.core.solvers.restart import Restart
 from turgor.core.solvers.solution import Solution, SolveError, State, Status, Timing
-from turgor.core.solvers.stage_sequence import solve_stages
+from turgor.core.solvers.stage_sequence import Follow, solve_stages
 from turgor.foundation.finding import by_weight, show_warning
 from turgor.foundation.given import one
 
@@ -154,9 +153,8 @@ def _followed(
 ) -> Solution:
     """Follow a question for a script: with a bar in a terminal or a notebook, and its findings as warnings."""
     with watched(progress) as watcher:
-        options = question.options
-        if options.notify is None and watcher.notify is not None:
-            question = replace(question, options=replace(options, notify=watcher.notify))
+        if question.options.notify is None and watcher.notify is not None:
+            question = replace(question, options=replace(question.options, notify=watcher.notify))
         return follow_question(question, Listeners(watcher.progress, stop, show_warning), record, throw)
 
 
@@ -187,9 +185,8 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
             solution = solve_stages(model, procedure, listeners, one)
         else:
             solution, _ = one(model, procedure, listeners, None)
-        model = solution.model  # its mesh may be a finer one
-        beyond = rubber_findings(model, solution.states)
-        plates = plate_findings(model, solution.states)
+        beyond = rubber_findings(solution.model, solution.states)  # its mesh may be a finer one
+        plates = plate_findings(solution.model, solution.states)
         listeners.tell(each for each in by_weight((*beyond, *plates, *solution.findings)) if each not in early)
         solution = replace(solution, findings=by_weight((*early, *beyond, *plates, *solution.findings)))
         solution = explained(solution)
@@ -211,14 +208,18 @@ def _from_start(
     """Follow one procedure as `_solved` does, after an equilibrium of the loads that are there from the start."""
     flies = procedure.may_be_free(model) and free_motions(model)  # without any equilibrium to begin with
     before = at_start(model) if restart is None and not flies else None
-    follow = partial(_solved, question, record)
+    follow: Follow = partial(_solved, question, record)
+    if procedure.remesh:
+        from turgor.core.solvers.remeshing.on_the_way import follow_remeshing  # here: few jobs need it
+
+        follow = partial(follow_remeshing, follow, question.options)
     if before is None:
-        return follow_remeshing((model, procedure), listeners, restart, follow, question.options)
+        return follow(model, procedure, listeners, restart)
     question = replace(question, guide=None)  # the path of another model, which begins at rest
     first, restart = _solved(question, record, before, Static(), Listeners(None, listeners.stop), None)
     if not first.complete:
         return replace(first, message=f"Loads that are there from the start: {first.message}"), restart
-    solution, restart = follow_remeshing((model, procedure), listeners, restart, follow, question.options)
+    solution, restart = follow(model, procedure, listeners, restart)
     return replace(solution, timing=Timing.together([first.timing, solution.timing])), restart
 
 

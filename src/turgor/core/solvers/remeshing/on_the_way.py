@@ -14,12 +14,10 @@ from turgor.core.solvers.remeshing.remesh import Remeshed, finer_cells, moved_to
 from turgor.core.solvers.remeshing.settings import REMESHING
 from turgor.core.solvers.restart import Restart
 from turgor.core.solvers.solution import Solution, State, Status, Step, Timing
+from turgor.core.solvers.stage_sequence import Follow
 from turgor.core.solvers.step_reasons import Cause, Reason
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
-
-#: Solves one procedure on one mesh from rest or from a restart, and returns the restart of what follows.
-Follow = Callable[[Model, Procedure, Listeners, Restart | None], tuple[Solution, Restart]]
 
 
 def degraded_volume(state: State) -> float:
@@ -60,11 +58,12 @@ class Watch:
 
 
 def follow_remeshing(
-    question: tuple[Model, Procedure],
-    listeners: Listeners,
-    restart: Restart | None,
     follow: Follow,
     options: EngineOptions,
+    model: Model,
+    procedure: Procedure,
+    listeners: Listeners,
+    restart: Restart | None,
 ) -> tuple[Solution, Restart]:
     """Follow a procedure; where cells degrade or no step succeeds, cut them and go on.
 
@@ -72,20 +71,18 @@ def follow_remeshing(
 
     Parameters
     ----------
-    question : (Model, Procedure)
-    listeners : Listeners
-    restart : Restart or None
     follow : callable
         Follows a path on one mesh.
     options : EngineOptions
+    model : Model
+    procedure : Procedure
+    listeners : Listeners
+    restart : Restart or None
 
     Returns
     -------
     (Solution, Restart)
     """
-    model, procedure = question
-    if not procedure.remesh:
-        return follow(model, procedure, listeners, restart)
     refuse_remeshing(model)
     notes: list[Finding] = []
     timings: list[Timing] = []
