@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.additions import Addition
 from turgor.core.engine.algebra.boundary import prescribed_components
-from turgor.core.engine.algebra.equations import with_equations
 from turgor.core.engine.algebra.pattern import Pattern, build_pattern, locate, scatter_add
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.internal_variables import History, Memory, bonds_of, friction_of, joined_memory
@@ -30,11 +29,11 @@ from turgor.core.engine.evaluation import (
 )
 from turgor.core.engine.evaluation import Stresses as Stresses
 from turgor.core.engine.fibers.thread_rest import threads_have_states
-from turgor.core.engine.middle_ties import with_middles
 from turgor.core.engine.points.motion import PointMotion, carrier_displacement, carrier_velocity
 from turgor.core.engine.points.point_unknowns import with_carrier_points
 from turgor.core.engine.term import Configuration, Setting, displacements, lower
 from turgor.core.engine.terms import Terms
+from turgor.core.engine.ties import with_equations, with_middles
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.drive import extremes
 from turgor.core.model.model import Model

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.core.engine.bonds.bond_term import BondTerm, bond_terms
 from turgor.core.engine.cables.cables import cable_terms
-from turgor.core.engine.cells.centrifugal_term import centrifugal_terms
 from turgor.core.engine.cells.internal_variables import NOTHING
+from turgor.core.engine.centrifugal_term import centrifugal_terms
 from turgor.core.engine.faces.dead_loads import dead_terms
 from turgor.core.engine.faces.membrane_term import membrane_terms
 from turgor.core.engine.faces.plate_edges import plate_terms

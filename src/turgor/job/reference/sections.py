@@ -33,7 +33,6 @@ from turgor.job.tables.bodies.body_tables import BodyTable
 from turgor.job.tables.bonds import BondTable, read_bonds
 from turgor.job.tables.cad import CAD_FILE, CadFileTable, SelectorTable, SplitTable
 from turgor.job.tables.contact import ContactTable, read_contact
-from turgor.job.tables.equations import EquationTable, TermTable
 from turgor.job.tables.fibers import FibersTable, read_fibers
 from turgor.job.tables.loads import read_loads
 from turgor.job.tables.material_tables import LibraryTable, SourceTable, StatedTable, law_table
@@ -47,6 +46,7 @@ from turgor.job.tables.setups import SETUPS, read_setup, setup_table
 from turgor.job.tables.stages import StageTable
 from turgor.job.tables.supports import SupportTable, stated_supports
 from turgor.job.text.box_table import BoxTable
+from turgor.job.text.equation_table import EquationTable, TermTable
 from turgor.job.text.listed_loads import listed_kinds, listed_table, loads_model
 from turgor.job.text.load_tables import (
     CavityTable,

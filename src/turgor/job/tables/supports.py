@@ -17,9 +17,9 @@ from turgor.core.model.places import NodesAt
 from turgor.core.model.supports import Displacement, Fixed, Foundation, Roller, Shift, Slide, Support, Tied
 from turgor.foundation.registry import Registry, class_of_file
 from turgor.foundation.round_off import ROUND_OFF
-from turgor.job.tables.equations import read_equation
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.text.body_names import by_body
+from turgor.job.text.equation_table import read_equation
 from turgor.job.text.lines import Key
 from turgor.job.text.load_values import Points
 from turgor.job.text.place_table import PLACES, PlaceTable, face_or_set, lacks_faces

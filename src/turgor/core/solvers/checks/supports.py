@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.boundary import PrescribedComponents, prescribed_components
-from turgor.core.engine.algebra.equations import with_equations
 from turgor.core.engine.points.bearing_term import stopped
 from turgor.core.engine.points.point_unknowns import Carrier, with_carrier_points
+from turgor.core.engine.ties import with_equations
 from turgor.core.meshing.bodies.bodies import Body, find_bodies
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys, outer_triangles

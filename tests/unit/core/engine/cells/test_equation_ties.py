@@ -8,7 +8,7 @@ from turgor.supports import Displacement, Equation, Fixed, NodesAt, PlaneSection
 import turgor as tg
 from refused import refused
 from turgor.core.engine.algebra.boundary import prescribed_components
-from turgor.core.engine.algebra.equations import with_equations
+from turgor.core.engine.ties import with_equations
 from turgor.core.solvers.checks.supports import free_motions
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.05e6), bulk_modulus=1e6)
