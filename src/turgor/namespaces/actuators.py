@@ -36,5 +36,6 @@ if TYPE_CHECKING:
     from turgor.core.geometry.actuators.triangular_pneunet import TriangularPneuNet as TriangularPneuNet
     from turgor.core.geometry.actuators.twisting_tube import TwistingTube as TwistingTube
     from turgor.core.geometry.actuators.two_material_bender import TwoMaterialBender as TwoMaterialBender
+    from turgor.core.geometry.actuators.yoshimura_bellows import YoshimuraBellows as YoshimuraBellows
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

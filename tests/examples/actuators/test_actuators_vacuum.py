@@ -21,3 +21,10 @@ def test_a_kresling_tube_twists_as_it_shortens() -> None:
     response = run_example("kresling_tube")
     assert response.column("tip_displacement_x")[-1] == pytest.approx(-5.1 * mm, rel=0.05)
     assert abs(response.column("twist_angle")[-1]) == pytest.approx(29.8 * deg, rel=0.05)
+
+
+@pytest.mark.slow
+def test_a_yoshimura_bellows_shortens_without_a_twist() -> None:
+    response = run_example("yoshimura_bellows")
+    assert -response.column("tip_displacement_x")[-1] > 1.5 * mm
+    assert response.column("cavity_volume")[-1] < 0.9 * response.column("cavity_volume")[0]

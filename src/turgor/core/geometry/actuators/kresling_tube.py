@@ -6,7 +6,7 @@ from math import pi
 from types import MappingProxyType
 
 from turgor.core.geometry.geometry import Geometry
-from turgor.core.geometry.parts.facets import folded_tube, folded_volume
+from turgor.core.geometry.parts.facets import Ring, folded_tube, folded_volume
 from turgor.core.geometry.rules import MOST_FOLDS, check_angle, check_count, check_fields, check_length
 from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.units import deg, m, mm
@@ -86,7 +86,7 @@ on the axis.
     @property
     def cavity_volumes(self) -> Mapping[str, float]:
         """Volume of the tube [m³], at rest."""
-        return MappingProxyType({"cavity": folded_volume(self._rises(), self.radius, self.sides)})
+        return MappingProxyType({"cavity": folded_volume(self._rings(), self.sides)})
 
     @property
     def solid_volume(self) -> float:
@@ -102,10 +102,6 @@ on the axis.
             No region; faces ``film`` (the triangles) and ``tip`` (the end plate), which both belong to ``cavity``, and
             ``fixed`` (the rim at x = 0).
         """
-        places, x, angle = [(0.0, 0.0)], 0.0, 0.0
-        for height, turn in self._rises():
-            x, angle = x + height, angle + turn
-            places.append((x, angle))
         return Geometry(
             name=f"Kresling tube, {self.cells} row{'s' if self.cells > 1 else ''} of {self.sides} sides",
             smallest_wall=self.smallest_wall,
@@ -113,9 +109,10 @@ on the axis.
             solid_volume=self.solid_volume,
             regions=(),
             faces=("cavity", "film", "fixed", "tip"),
-            shape=FilmShape(patches=tuple(folded_tube(places, self.radius, self.sides))),
+            shape=FilmShape(patches=tuple(folded_tube(self._rings(), self.sides))),
         )
 
-    def _rises(self) -> list[tuple[float, float]]:
-        """Height and turn of each row."""
-        return [(self.height, -self.turn if self.alternating and k % 2 else self.turn) for k in range(self.cells)]
+    def _rings(self) -> list[Ring]:
+        """The polygons from the fixed rim to the end plate."""
+        turns = [k % 2 if self.alternating else k for k in range(self.cells + 1)]
+        return [Ring(x=k * self.height, turn=turn * self.turn, radius=self.radius) for k, turn in enumerate(turns)]

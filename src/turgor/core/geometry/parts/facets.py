@@ -1,6 +1,7 @@
 """Facets: triangles of film, and tubes of them between polygons, as in origami."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 from math import cos, pi, sin
 
@@ -33,28 +34,43 @@ def facet(corners: tuple[Point, Point, Point], faces: tuple[str, ...], edge: str
     ]
 
 
-def ring(x: float, radius: float, sides: int, turn: float) -> list[Point]:
-    """Corners of a regular polygon across x, counterclockwise seen from the tip, from an angle [rad] on.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ring:
+    """A regular polygon of a folded tube, across x.
 
-    Examples
-    --------
-    >>> [round(value, 12) for value in ring(1.0, 2.0, 4, 0.0)[1]]
-    [1.0, 0.0, 2.0]
+    Parameters
+    ----------
+    x : float [m]
+        Where it is.
+    turn : float [rad]
+        How far it is turned about x.
+    radius : float [m]
+        Circumradius.
     """
-    angles = (turn + 2 * pi * k / sides for k in range(sides))
-    return [(x, radius * cos(angle), radius * sin(angle)) for angle in angles]
+
+    x: float
+    turn: float
+    radius: float
+
+    def corners(self, sides: int) -> list[Point]:
+        """Corners [m], counterclockwise seen from the tip.
+
+        Examples
+        --------
+        >>> [round(value, 12) for value in Ring(x=1.0, turn=0.0, radius=2.0).corners(4)[1]]
+        [1.0, 0.0, 2.0]
+        """
+        angles = (self.turn + 2 * pi * k / sides for k in range(sides))
+        return [(self.x, self.radius * cos(angle), self.radius * sin(angle)) for angle in angles]
 
 
-def folded_tube(places: Sequence[tuple[float, float]], radius: float, sides: int) -> list[Patch]:
+def folded_tube(rings: Sequence[Ring], sides: int) -> list[Patch]:
     """Triangles between regular polygons, and a plate on the last one.
 
     Parameters
     ----------
-    places : sequence of (x [m], angle [rad])
-        Where each polygon is, and how far it is turned about x. A turn from one to the next makes the diagonals lean
-        that way.
-    radius : float [m]
-        Circumradius of the polygons.
+    rings : sequence of Ring
+        From the fixed rim to the plate. A turn from one to the next makes the diagonals lean that way.
     sides : int
         Corners of the polygons.
 
@@ -66,50 +82,44 @@ def folded_tube(places: Sequence[tuple[float, float]], radius: float, sides: int
 
     Examples
     --------
-    >>> len(folded_tube([(0.0, 0.0), (0.02, 0.5)], 0.02, 6))
+    >>> len(folded_tube([Ring(x=0.0, turn=0.0, radius=0.02), Ring(x=0.02, turn=0.5, radius=0.02)], 6))
     54
     """
-    rings = [ring(x, radius, sides, turn) for x, turn in places]
     patches = []
-    for row, (low, high) in enumerate(pairwise(rings)):
-        leans = places[row + 1][1] >= places[row][1]  # diagonals go back, from the next corner below
+    for row, (first, second) in enumerate(pairwise(rings)):
+        low, high = first.corners(sides), second.corners(sides)
+        leans = second.turn >= first.turn  # diagonals go back, from the next corner below
         edge = "fixed" if row == 0 else ""
         for k in range(sides):
             a, b, c, d = low[k], low[(k + 1) % sides], high[(k + 1) % sides], high[k]
             patches += facet((b, a, d if leans else c), ("film", "cavity"), edge)
             patches += facet((c, b if leans else a, d), ("film", "cavity"))
-    center = (places[-1][0], 0.0, 0.0)
-    for a, b in pairwise([*rings[-1], rings[-1][0]]):
+    last, center = rings[-1].corners(sides), (rings[-1].x, 0.0, 0.0)
+    for a, b in pairwise([*last, last[0]]):
         patches += facet((b, a, center), ("tip", "cavity"))
     return patches
 
 
-def folded_volume(rises: Sequence[tuple[float, float]], radius: float, sides: int) -> float:
-    """Volume within a folded tube [m³].
-
-    Parameters
-    ----------
-    rises : sequence of (height [m], turn [rad])
-        From one polygon to the next.
-    radius, sides
-        As for `folded_tube`.
+def folded_volume(rings: Sequence[Ring], sides: int) -> float:
+    """Volume within a folded tube [m³]: each row is a prismatoid, between two polygons and one halfway between.
 
     Examples
     --------
-    >>> round(folded_volume([(1.0, 0.0)], 2**0.5, 4), 12)
+    >>> round(folded_volume([Ring(x=0.0, turn=0.0, radius=2**0.5), Ring(x=1.0, turn=0.0, radius=2**0.5)], 4), 12)
     4.0
     """
-    step = 2 * pi / sides
-    # prismatoid: ends, and in the middle twice as many corners, halfway between those that an edge joins
-    ends = sides / 2 * radius**2 * sin(step)
     volume = 0.0
-    for height, turn in rises:
-        way = abs(turn)
-        a, b = ring(0.0, radius, sides, 0.0), ring(0.0, radius, sides, way)
-        middle = [_middle(pair) for k in range(sides) for pair in ((a[k], b[k]), (a[(k + 1) % sides], b[k]))]
-        area = sum(p[1] * q[2] - q[1] * p[2] for p, q in pairwise([*middle, middle[0]])) / 2
-        volume += height * (2 * ends + 4 * area) / 6
+    for low, high in pairwise(rings):
+        a = Ring(x=0.0, turn=0.0, radius=low.radius).corners(sides)
+        b = Ring(x=0.0, turn=abs(high.turn - low.turn), radius=high.radius).corners(sides)
+        between = [_middle(pair) for k in range(sides) for pair in ((a[k], b[k]), (a[(k + 1) % sides], b[k]))]
+        volume += (high.x - low.x) * (_area(a) + 4 * _area(between) + _area(b)) / 6
     return volume
+
+
+def _area(corners: Sequence[Point]) -> float:
+    """Area of a polygon across x."""
+    return sum(p[1] * q[2] - q[1] * p[2] for p, q in pairwise([*corners, corners[0]])) / 2
 
 
 def _middle(points: Sequence[Point]) -> Point:
