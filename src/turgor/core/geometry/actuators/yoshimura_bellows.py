@@ -46,8 +46,8 @@ class YoshimuraBellows:
 
     Examples
     --------
-    >>> YoshimuraBellows(folds=3).length
-    0.036
+    >>> round(YoshimuraBellows(folds=3).length * 1e3, 6)  # mm
+    36.0
     >>> YoshimuraBellows(inner_radius=25e-3)
     Traceback (most recent call last):
     turgor.TurgorError: inner_radius is 25 mm; allowed is 1 mm to 20 mm, the radius of the crests.

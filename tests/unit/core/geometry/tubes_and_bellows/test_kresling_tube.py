@@ -43,6 +43,14 @@ def test_edges_have_the_lengths_of_the_formulas():
         assert np.isclose(lengths, length).sum() >= 6
 
 
+@pytest.mark.parametrize(("alternating", "turn"), [(False, 80 * deg), (True, 0.0)])
+def test_every_other_row_turns_back_where_rows_alternate(alternating, turn):
+    tube = KreslingTube(cells=2, turn=40 * deg, alternating=alternating)
+    mesh = tg.mesh(tube.build(), size=20 * mm)
+    corner = np.array([tube.length, tube.radius * np.cos(turn), tube.radius * np.sin(turn)])
+    assert np.linalg.norm(mesh.points[mesh.face_nodes("tip")] - corner, axis=1).min() < 1e-9
+
+
 def test_the_middle_of_each_edge_belongs_to_both_triangles():
     mesh = tg.mesh(KreslingTube(cells=1).build(), size=20 * mm)
     quads = mesh.face("cavity")
