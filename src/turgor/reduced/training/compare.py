@@ -124,7 +124,7 @@ def start_of(reduced: Reduced) -> Spline | None:
         at = reduced.equations.at(y, aim)
         if at is None:
             continue
-        rates = -np.linalg.solve(at.tangent(), at.by_inputs())
+        rates: Array = -np.linalg.solve(at.tangent(), at.by_inputs()).astype(np.float64)
         steep = np.linalg.norm(rates[:r], axis=0) / np.where(reduced.weights > 0, reduced.weights, np.inf)
         if steep.max() <= START.steepest * reduced.size:
             rows.append((aim, y, rates))
