@@ -23,8 +23,10 @@ def test_predict_answers_from_the_file_of_a_reduced_model(tmp_path):
     code, text = run("predict", file, "--at", "pressure=7 kPa", "--json")
     assert code == 0
     answer = json.loads(text)["result"]
-    assert answer["volumes"]["cavity"] == pytest.approx(reduced().solve(7000.0).volumes["cavity"])
-    assert answer["estimate"] == pytest.approx(reduced().solve(7000.0).estimate, rel=5e-3)  # files have seven digits
+    assert answer["volumes"]["cavity"] == pytest.approx(
+        reduced().solve(7000.0).volumes["cavity"], rel=1e-4
+    )  # four digits
+    assert answer["estimate"] == pytest.approx(tg.load(file).solve(7000.0).estimate)
     assert answer["doubtful"] is False
     code, text = run("predict", file, "--at", "pressure=70 kPa")
     assert code == 1
@@ -40,7 +42,7 @@ def test_predict_states_measures_with_both_errors(tmp_path):
     assert re.search(r"bending angle [0-9.]+ ± [0-9.]+ deg, reduction ± [0-9.]+ deg", text)
     code, text = run("predict", file, "--at", "pressure=7 kPa", "--json")
     read = json.loads(text)["result"]["measures"]["bending_angle"]
-    assert read["value"] == pytest.approx(tg.bending_angle(reduced().solve(7e3).state()))
+    assert read["value"] == pytest.approx(tg.bending_angle(reduced().solve(7e3).state()), rel=1e-4)
     true = tg.bending_angle(tg.real_time.verified(reduced().solve(7e3)).state)
     assert abs(read["value"] - true) < 3 * read["reduction_error"] + 1e-6
     assert read["reduction_error"] < read["mesh_error"] < read["value"]
@@ -53,11 +55,11 @@ def test_predict_takes_volumes_and_gas(tmp_path):
     answer = json.loads(text)["result"]
     volume = answer["volumes"]["cavity"]
     assert volume - reduced().solve(0.0).volumes["cavity"] == pytest.approx(0.4e-6)
-    assert reduced().solve(answer["inputs"]["loads.pressure"]).volumes["cavity"] == pytest.approx(volume)
+    assert reduced().solve(answer["inputs"]["loads.pressure"]).volumes["cavity"] == pytest.approx(volume, rel=1e-4)
     code, text = run("predict", file, "--at", "mass_ratio=1.2", "--json")
     assert code == 0, text
     inputs = json.loads(text)["result"]["inputs"]
-    assert inputs["loads.pressure"] == pytest.approx(at_gas(reduced(), {"cavity": 1.2}).inputs[0])
+    assert inputs["loads.pressure"] == pytest.approx(at_gas(reduced(), {"cavity": 1.2}).inputs[0], rel=1e-3)
 
 
 @pytest.mark.parametrize(

@@ -115,7 +115,7 @@ def start_of(reduced: Reduced) -> Spline | None:
     """
     aims, r = reduced.trained_inputs, reduced.equations.sizes[0]
     most = max(2, START.rows // (1 + len(reduced.inputs.keys)))
-    places, values, slopes = [], [], []
+    rows: list[tuple[Array, Array, Array]] = []
     for aim in aims[np.unique(np.linspace(0, len(aims) - 1, min(len(aims), most)).astype(int))]:
         try:
             y = reduced.under(aim).y
@@ -124,11 +124,14 @@ def start_of(reduced: Reduced) -> Spline | None:
         at = reduced.equations.at(y, aim)
         if at is None:
             continue
-        rates = -np.linalg.solve(at.tangent(), at.by_inputs())
+        rates: Array = -np.linalg.solve(at.tangent(), at.by_inputs()).astype(np.float64)
         steep = np.linalg.norm(rates[:r], axis=0) / np.where(reduced.weights > 0, reduced.weights, np.inf)
         if steep.max() <= START.steepest * reduced.size:
-            places, values, slopes = [*places, aim], [*values, y], [*slopes, rates]
-    return Spline.through(reduced.weights, *map(np.array, (places, values, slopes))) if places else None
+            rows.append((aim, y, rates))
+    if not rows:
+        return None
+    places, values, slopes = (np.array(each) for each in zip(*rows, strict=True))
+    return Spline.through(reduced.weights, places, values, slopes)
 
 
 def aim_of(box: Inputs, path: Path) -> Array:

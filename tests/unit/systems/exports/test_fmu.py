@@ -42,7 +42,7 @@ def test_a_unit_gives_the_equilibria_of_the_reduced_model(tmp_path):
     inputs = np.column_stack([PRESSURES, FORCES])
     expected = made(np.vstack([inputs[:1], inputs[:-1]]))  # a step has the inputs that were set before it
     for name, column in zip(made.names, expected.T, strict=True):
-        assert rows[name] == pytest.approx(column, abs=1e-6 * np.abs(column).max() + 1e-18)
+        assert rows[name] == pytest.approx(column, abs=1e-4 * np.abs(column).max() + 1e-18)  # of four digits
     assert (rows["estimate"] < 0.02).all() and (rows["estimate"] > 0).all()
 
 
@@ -54,7 +54,7 @@ def test_a_unit_in_motion_gives_what_follow_gives(tmp_path):
     rows = simulated(file, np.append(PRESSURES[1:], 0.0), np.append(FORCES[1:], 0.0))
     expected = reduced.follow(TIMES, {"pressure": PRESSURES, "tip.vector.3": FORCES}, moving).tip
     size = np.abs(expected).max()
-    assert np.column_stack([rows[f"tip_{axis}"] for axis in "xyz"])[1:] == pytest.approx(expected[1:], abs=1e-6 * size)
+    assert np.column_stack([rows[f"tip_{axis}"] for axis in "xyz"])[1:] == pytest.approx(expected[1:], abs=1e-4 * size)
     still = pushed().follow(TIMES, {"pressure": PRESSURES, "tip.vector.3": FORCES}).tip
     assert np.abs(expected - still).max() > 1e-3 * size
 
