@@ -13,7 +13,6 @@ import turgor as tg
 from refused import refused
 from turgor.foundation.store.codec import Decoder, Encoder
 from turgor.foundation.store.folder import Store
-from turgor.reduced.parts.points import Points
 from turgor.reduced.parts.threads import Threads
 
 
@@ -167,14 +166,3 @@ def test_a_field_of_seven_digits_takes_half_of_the_space():
     assert loaded.modes.dtype == np.float64
     assert loaded.modes == pytest.approx(threads.modes, rel=1e-7)
     assert (loaded.rest == threads.rest).all()
-
-
-def test_a_field_of_four_digits_has_whole_numbers_and_a_unit_at_each_last_place():
-    gradients = np.random.default_rng(0).standard_normal((5, 9, 4)) * [1.0, 1e-6, 0.0, 1e3]
-    encoder = Encoder()
-    tree = encoder.encode(Points(gradients, np.ones(5), (), np.array([0]), 1.0))
-    assert sum(array.nbytes for array in encoder.arrays.values() if array.dtype == np.int16) == gradients.nbytes // 4
-    loaded = Decoder(encoder.arrays, lambda name: None).decode(tree)
-    assert loaded.gradients.dtype == np.float64
-    away = np.abs(loaded.gradients - gradients).max(axis=(0, 1))
-    assert (away <= 0.51 / 32767 * np.abs(gradients).max(axis=(0, 1))).all()
