@@ -26,7 +26,11 @@ Json = Any
 #: Metadata of a field whose array is saved with seven digits, in half of the space, and computes with all digits.
 SEVEN_DIGITS: Mapping[str, bool] = MappingProxyType({"seven digits": True})
 
-#: The same with four digits of the largest number at each place of the last axis, in whole numbers of 16 bits.
+#: The same with six digits of the largest number at each place of the first or the last axis, whichever has fewer
+#: places, in whole numbers of 24 bits.
+SIX_DIGITS: Mapping[str, bool] = MappingProxyType({"six digits": True})
+
+#: The same with four digits, in whole numbers of 16 bits.
 FOUR_DIGITS: Mapping[str, bool] = MappingProxyType({"four digits": True})
 
 #: Names under which a reader finds objects and arrays that are written elsewhere; None where they are not.
@@ -119,15 +123,21 @@ class Encoder:
         kind = type(value).__name__
         values = {item.name: getattr(value, item.name) for item in fields(value)}
         shorter = {name: values[name].astype(np.float32) for name in _marked(type(value), SEVEN_DIGITS)}
-        rounded = {name: self._rounded(values.pop(name)) for name in _marked(type(value), FOUR_DIGITS)}
+        rounded = {
+            name: self._rounded(values.pop(name), size)
+            for digits, size in ((FOUR_DIGITS, 2), (SIX_DIGITS, 3))
+            for name in _marked(type(value), digits)
+        }
         encoded = {name: self.encode(each, f"{where}, {kind}.{name}") for name, each in (values | shorter).items()}
         return encoded | rounded
 
-    def _rounded(self, value: NDArray[Any]) -> Json:
-        """Whole numbers of 16 bits, their unit at each place of the last axis, and the type of the array."""
-        largest = np.abs(value).max(axis=tuple(range(value.ndim - 1)), initial=np.finfo(np.float32).tiny)
-        unit = (largest / np.iinfo(np.int16).max).astype(np.float64)
-        return {"rounded": [self.encode(np.rint(value / unit).astype(np.int16)), self.encode(unit), value.dtype.name]}
+    def _rounded(self, value: NDArray[Any], size: int) -> Json:
+        """Whole numbers of some bytes, byte by byte, their unit at each place of an axis, and the type of the array."""
+        axes = tuple(range(value.ndim - 1)) if value.shape[-1] <= value.shape[0] else tuple(range(1, value.ndim))
+        largest = np.abs(value).max(axis=axes, initial=np.finfo(np.float32).tiny, keepdims=True)
+        unit = (largest / (2 ** (8 * size - 1) - 1)).astype(np.float64)
+        whole = np.rint(value / unit).astype("<i4")[..., None].view(np.uint8)[..., :size]
+        return {"rounded": [self.encode(np.ascontiguousarray(whole)), self.encode(unit), value.dtype.name]}
 
     def _noted(self, value: object, first: Json, again: Json) -> Json:
         """Remember the name of a value from now on. The reference to it stays, so that no other value gets its id."""
@@ -191,7 +201,9 @@ class Decoder:
                 return Path(content)
             case "rounded":
                 whole, unit, name = (self.decode(item) for item in content)
-                return (whole * unit).astype(name)
+                full = np.zeros((*whole.shape[:-1], 4), dtype=np.uint8)
+                full[..., 4 - whole.shape[-1] :] = whole  # so that the sign is right
+                return ((full.view("<i4")[..., 0] >> 8 * (4 - whole.shape[-1])) * unit).astype(name)
             case "tuple" | "set" | "frozenset":
                 kind = {"tuple": tuple, "set": set, "frozenset": frozenset}[what]
                 return kind(self.decode(item) for item in content)

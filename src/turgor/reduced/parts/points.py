@@ -14,7 +14,7 @@ from turgor.core.materials.history.softening import INVARIANT_PAIRS
 from turgor.core.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
 from turgor.core.materials.laws.laws import InvariantLaw, Law
 from turgor.core.materials.material import Material
-from turgor.foundation.store.codec import SEVEN_DIGITS
+from turgor.foundation.store.codec import SIX_DIGITS
 from turgor.reduced.parts import kernels
 from turgor.reduced.parts.remembering import advanced, recoverable, remembered, slow_memories, stepped
 
@@ -43,7 +43,7 @@ class Points:
         What the points of each law bring into a step; empty for an infinitely slow one from rest.
     """
 
-    gradients: Array = field(metadata=SEVEN_DIGITS)
+    gradients: Array = field(metadata=SIX_DIGITS)
     weights: Array
     laws: tuple[Law, ...]
     starts: Ints

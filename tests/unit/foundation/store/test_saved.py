@@ -2,6 +2,7 @@
 
 import json
 import pickle
+from dataclasses import dataclass, field
 from pathlib import Path
 from zipfile import ZipFile
 
@@ -11,7 +12,7 @@ import solver_cases
 
 import turgor as tg
 from refused import refused
-from turgor.foundation.store.codec import Decoder, Encoder
+from turgor.foundation.store.codec import FOUR_DIGITS, SIX_DIGITS, Decoder, Encoder
 from turgor.foundation.store.folder import Store
 from turgor.reduced.parts.threads import Threads
 
@@ -166,3 +167,27 @@ def test_a_field_of_seven_digits_takes_half_of_the_space():
     assert loaded.modes.dtype == np.float64
     assert loaded.modes == pytest.approx(threads.modes, rel=1e-7)
     assert (loaded.rest == threads.rest).all()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rounded:
+    """Arrays whose unit stands at each place of the last axis, and of the first."""
+
+    four: np.ndarray = field(metadata=FOUR_DIGITS)
+    last: np.ndarray = field(metadata=SIX_DIGITS)
+    first: np.ndarray = field(metadata=SIX_DIGITS)
+
+
+def test_fields_of_four_and_six_digits_are_whole_numbers_of_units():
+    scales = np.array([1.0, 1e-6, 0.0, 1e3])
+    draws = np.random.default_rng(0).standard_normal((5, 9, 4))
+    value = Rounded(draws * scales, draws * scales, (draws * scales).T.reshape(4, -1))
+    encoder = Encoder()
+    tree = encoder.encode(value)
+    assert sum(each.nbytes for each in encoder.arrays.values()) == draws.size * (2 + 3 + 3) + 3 * 4 * 8
+    loaded = Decoder(encoder.arrays, lambda name: None).decode(tree)
+    for name, largest in (("four", 2**15 - 1), ("last", 2**23 - 1), ("first", 2**23 - 1)):
+        got, exact = (getattr(each, name) for each in (loaded, value))
+        axes = (1,) if name == "first" else (0, 1)
+        assert got.dtype == np.float64
+        assert (np.abs(got - exact).max(axis=axes) <= 0.51 / largest * np.abs(exact).max(axis=axes)).all()
