@@ -12,7 +12,7 @@ from turgor.core.engine.contact.pair_part import PairPart, Partners, Rigid
 from turgor.core.engine.contact.rigid_triangles import refined, six_nodes
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.shape_part import ShapePart
-from turgor.core.engine.contact.surface import Surface, listed, neighbors, of_face, overhangs, strangers
+from turgor.core.engine.contact.surface import Surface, listed, neighbors, of_face, overhangs, rims, strangers
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.contact import SELF
 from turgor.core.model.drive import pressed_together
@@ -192,10 +192,11 @@ def _pairs(model: Model, surface: Surface, points: Array, like: Sequence[PairPar
     alike = (one for one in like if isinstance(one, PairPart) and one.rigid is None)
     known = next((one.partners for one in alike if np.array_equal(one.surface.sides, sides)), None)
     over = np.concatenate([overhangs(points, layer, mirrored) for layer in surface.layers])
+    around = None if films else rims(points, sides, mirrored)
     inside = CONTACT_SEARCH.behind * model.contact.tolerance if films else CONTACT_SEARCH.depth
     depth, reach = inside * surface.height, _reach(surface.weights)
     if known is not None:
-        partners = replace(known, sides=sides, overhang=over, depth=depth, reach=reach)
+        partners = replace(known, sides=sides, overhang=over, depth=depth, reach=reach, rims=around)
         return PairPart(SELF, surface, partners, friction, 0.5)
     partners = Partners(
         sides=sides,
@@ -205,6 +206,7 @@ def _pairs(model: Model, surface: Surface, points: Array, like: Sequence[PairPar
         strangers=film_exceptions(mesh, surface, points) if films else strangers(points, sides),
         around=_around(surface.layers, surface.corners),
         reach=reach,
+        rims=around,
         open=surface.outward,
     )
     return PairPart(SELF, surface, _settled(surface, partners, points), friction, 0.5)
@@ -267,11 +269,13 @@ def _triangles(
             "needs; cut away what cannot be touched."
         )
     count = len(points)
+    nowhere = np.zeros(len(nodes), dtype=bool)
     nothing = (np.zeros(len(surface.sides) + 1, dtype=np.int64), np.zeros(0, dtype=np.int64))
     partners = Partners(
         sides=sides + count,
         corners=3,
-        overhang=overhangs(nodes, sides, np.zeros(len(nodes), dtype=bool)),
+        overhang=overhangs(nodes, sides, nowhere),
+        rims=rims(nodes, sides, nowhere),
         depth=np.full(len(sides), CONTACT_SEARCH.near * size),
         strangers=nothing,
         around=_around((sides,), 3),

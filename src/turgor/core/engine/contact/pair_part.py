@@ -48,6 +48,7 @@ class Partners:
         Nodes of the mesh, or behind them those of the rigid body.
     corners : int
     overhang : (t, e) array
+        How far a foot point may lie beyond each edge.
     depth : (t,) array
         Depth to which a point counts as inside.
     strangers : (start, list)
@@ -58,6 +59,8 @@ class Partners:
     reach : float
         How far apart two sides still see each other.
     rigid : Rigid or None
+    rims : (t, e) array, optional
+        Width of sides across their sharp convex edges, inf at other edges; None for films.
     open : (t,) bool array, optional
         Sides that touch all other open ones but strangers: all of solids, those of films that look out of a cavity.
     """
@@ -70,6 +73,7 @@ class Partners:
     around: tuple[Ints, Ints]
     reach: float
     rigid: Rigid | None = None
+    rims: Array | None = None
     open: NDArray[np.bool_] | None = None
 
 
@@ -91,6 +95,11 @@ class PairPart(PointsPart):
     def __init__(self, name: str, surface: Surface, partners: Partners, coefficient: float, share: float) -> None:
         super().__init__(name, surface, coefficient, share)
         self.partners = partners
+        self._band = CONTACT_SEARCH.rim * np.sqrt(surface.weights.sum(axis=1))
+        self._beyond = partners.overhang
+        if partners.rims is not None:  # points are looked after until a rim has passed them
+            share = np.minimum(self._band.max(initial=0.0) / partners.rims, CONTACT_SEARCH.beyond)
+            self._beyond = np.maximum(partners.overhang, share)
 
     @property
     def rigid(self) -> Rigid | None:
@@ -121,10 +130,11 @@ class PairPart(PointsPart):
         x, normal, growth = points_of(position, s.sides, s.N, s.dN)
         every = self._all(position, pose)
         if known is None:
-            return Gaps(x, normal, growth, *self._search(x, normal, position, every), pose)
+            found = self._search(x, normal, position, every)
+            return Gaps(x, normal, growth, *found, pose, self._covered(*found))
         walk = 0 if how is SearchMode.KEEP else CONTACT_SEARCH.walk
         partner, at, gap = follow_partners(
-            (x, normal), every, p.sides, known.partner, known.at, p.around, p.overhang, walk
+            (x, normal), every, p.sides, known.partner, known.at, p.around, self._beyond, walk
         )
         if how is SearchMode.GLOBAL:
             others, places, gaps = self._search(x, normal, position, every)
@@ -132,7 +142,23 @@ class PairPart(PointsPart):
             change = ~np.isfinite(gap) | ~np.isfinite(gaps) | nearer
             partner, gap = np.where(change, others, partner), np.where(change, gaps, gap)
             at = np.where(change[:, :, None], places, at)
-        return Gaps(x, normal, growth, partner, at, gap, pose)
+        return Gaps(x, normal, growth, partner, at, gap, pose, self._covered(partner, at, gap))
+
+    def _covered(self, partner: Ints, at: Array, gap: Array) -> Array:
+        """Share of points (s, q) that lies within the sharp rims of their partners, from 0 to 1 across a band."""
+        out, rims = np.ones(gap.shape), self.partners.rims
+        if rims is None:
+            return out
+        near = np.argwhere(gap < 0)
+        near = near[np.isfinite(rims[partner[near[:, 0], near[:, 1]]]).any(axis=1)]
+        i, q = near.T
+        r, s = at[i, q].T
+        inward = np.stack([s, 1 - r - s, r] if self.partners.corners == 3 else [s, 1 - r, 1 - s, r], axis=1)
+        width = rims[partner[i, q]]
+        sharp = np.isfinite(width)
+        within = np.where(sharp, inward * np.where(sharp, width, 0.0), np.inf).min(axis=1)
+        out[i, q] = np.clip(0.5 + 0.5 * within / self._band[i], 0.0, 1.0)
+        return out
 
     def _search(self, x: Array, normal: Array, position: Array, every: Array) -> tuple[Ints, Array, Array]:
         """Search the whole surface: partner, place and gap of every point."""
@@ -141,18 +167,19 @@ class PairPart(PointsPart):
         own = others if p.sides is s.sides else centers_of(position, s.sides, s.corners)
         grid = Grid.of(others[0], p.reach + float(own[1].max() + others[1].max()))
         cubes = (grid.low, grid.edge, grid.counts, grid.start, grid.order)
-        allowed = (p.overhang, p.depth)
+        allowed = (self._beyond, p.depth)
         opened = [np.ones(len(sides), dtype=np.bool_) if p.open is None else p.open for sides in (s.sides, p.sides)]
         apart = (opened[0], opened[1], p.strangers[0], p.strangers[1])
         return find_partners((x, normal), every, p.sides, (own, others), cubes, allowed, p.reach, apart)
 
-    def _springs(self, points: Ints, partner: Ints) -> Array:
+    def _springs(self, points: Ints, gaps: Gaps) -> Array:
         """Pressure per depth (k,) at points: that of the softer side, times the penalty scale of the point's own."""
-        side = points[:, 0]
+        side, partner = points[:, 0], self._partners(gaps, points)
         spring = self.surface.spring[side]
         if self.rigid is None:
             spring = np.minimum(spring, self.surface.spring[partner])
-        return np.asarray(self.share * spring * self.penalty_scale[side])
+        covered = gaps.covered[side, points[:, 1]]
+        return np.asarray(self.share * spring * self.penalty_scale[side] * covered)
 
     def _nodes(self, points: Ints, partner: Ints, count: int) -> Ints:
         return np.hstack([self.surface.sides[points[:, 0]], self.partners.sides[partner]])
@@ -164,7 +191,7 @@ class PairPart(PointsPart):
             return np.zeros_like(every)
         i, q = points.T
         partner, at = gaps.partner[i, q], gaps.at[i, q]
-        spring = self._springs(points, partner) * self._weights(points)
+        spring = self._springs(points, gaps) * self._weights(points)
         local = pairs.press_forces(
             every, (self.surface.sides, self.partners.sides), self.surface.N, points, partner, at, spring
         )
@@ -175,7 +202,7 @@ class PairPart(PointsPart):
         partner = gaps.partner[points[:, 0], points[:, 1]]
         order, start, keys = groups(self._key(points[:, 0], partner))
         points, partner = np.ascontiguousarray(points[order]), np.ascontiguousarray(partner[order])
-        spring = self._springs(points, partner) * self._weights(points)
+        spring = self._springs(points, gaps) * self._weights(points)
         sides = (self.surface.sides, self.partners.sides)
         at = np.ascontiguousarray(gaps.at[points[:, 0], points[:, 1]])
         every = self._all(position, gaps.pose)

@@ -84,8 +84,8 @@ class PointsPart(ABC):
         """Tangents of the points that press."""
 
     @abstractmethod
-    def _springs(self, points: Ints, partner: Ints) -> Array:
-        """Pressure per depth (k,) at points."""
+    def _springs(self, points: Ints, gaps: Gaps) -> Array:
+        """Pressure per depth (k,) at points, of their whole area."""
 
     @abstractmethod
     def _nodes(self, points: Ints, partner: Ints, count: int) -> Ints:
@@ -152,7 +152,7 @@ class PointsPart(ABC):
         points, pull = a.points[chosen], pull[chosen]
         partner, at = self._partners(gaps, points), gaps.at[points[:, 0], points[:, 1]]
         normal = self._normals(position, gaps, points)
-        normal *= -self.coefficient * self._springs(points, partner)[:, None]
+        normal *= -self.coefficient * self._springs(points, gaps)[:, None]
         return Rubbing(
             self.tied_unknowns(self._key(points[:, 0], a.partner[chosen])),
             (self._shares(points, a.at[chosen])[:, :, None] * pull[:, None, :]).reshape(len(points), -1),
@@ -165,14 +165,14 @@ class PointsPart(ABC):
         out = np.zeros(gaps.gap.shape)
         points = gaps.touching
         i, q = points.T
-        out[i, q] = self._springs(points, gaps.partner[i, q]) / self.share * -gaps.gap[i, q]
+        out[i, q] = self._springs(points, gaps) / self.share * -gaps.gap[i, q]
         return out
 
     def energy(self, gaps: Gaps) -> float:
         """Energy stored in the penetration."""
         points = gaps.touching
         i, q = points.T
-        spring = self._springs(points, gaps.partner[i, q]) * self._weights(points)
+        spring = self._springs(points, gaps) * self._weights(points)
         return float(0.5 * (spring * gaps.gap[i, q] ** 2).sum())
 
     def stiffened(self, former: Array, before: Gaps, gaps: Gaps) -> float:
@@ -183,7 +183,7 @@ class PointsPart(ABC):
         points = before.also(gaps)
         i, q = points.T
         gain = (
-            self._springs(points, gaps.partner[i, q]) * self._weights(points) * (1 - former[i] / self.penalty_scale[i])
+            self._springs(points, gaps) * self._weights(points) * (1 - former[i] / self.penalty_scale[i])
         )
         return float(0.5 * (gain * before.gap[i, q] * gaps.gap[i, q]).sum())
 
@@ -203,7 +203,7 @@ class PointsPart(ABC):
         """Coulomb's limit (k,) of the tractions at points, from the present pressures."""
         gap = gaps.gap[points[:, 0], points[:, 1]]
         depth = np.where(np.isfinite(gap), np.maximum(-gap, 0.0), 0.0)
-        return np.asarray(self.coefficient * self._springs(points, self._partners(gaps, points)) * depth)
+        return np.asarray(self.coefficient * self._springs(points, gaps) * depth)
 
     def settled(self, gaps: Gaps) -> tuple[FrictionHistory | None, bool]:
         """The friction history with the present limits, and whether any differs noticeably from that before."""
