@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from turgor.core.engine.contact.closest import centers_of
 from turgor.core.engine.contact.films import film_exceptions
 from turgor.core.engine.contact.pair_part import PairPart, Partners, Rigid
-from turgor.core.engine.contact.rigid_triangles import refined, six_nodes
+from turgor.core.engine.contact.rigid_triangles import refined, rims, six_nodes
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.shape_part import ShapePart
-from turgor.core.engine.contact.surface import Surface, listed, neighbors, of_face, overhangs, rims, strangers
+from turgor.core.engine.contact.surface import Surface, listed, neighbors, of_face, overhangs, strangers
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.contact import SELF
 from turgor.core.model.drive import pressed_together
@@ -192,11 +192,10 @@ def _pairs(model: Model, surface: Surface, points: Array, like: Sequence[PairPar
     alike = (one for one in like if isinstance(one, PairPart) and one.rigid is None)
     known = next((one.partners for one in alike if np.array_equal(one.surface.sides, sides)), None)
     over = np.concatenate([overhangs(points, layer, mirrored) for layer in surface.layers])
-    around = None if films else rims(points, sides, mirrored)
     inside = CONTACT_SEARCH.behind * model.contact.tolerance if films else CONTACT_SEARCH.depth
     depth, reach = inside * surface.height, _reach(surface.weights)
     if known is not None:
-        partners = replace(known, sides=sides, overhang=over, depth=depth, reach=reach, rims=around)
+        partners = replace(known, sides=sides, overhang=over, depth=depth, reach=reach)
         return PairPart(SELF, surface, partners, friction, 0.5)
     partners = Partners(
         sides=sides,
@@ -206,7 +205,6 @@ def _pairs(model: Model, surface: Surface, points: Array, like: Sequence[PairPar
         strangers=film_exceptions(mesh, surface, points) if films else strangers(points, sides),
         around=_around(surface.layers, surface.corners),
         reach=reach,
-        rims=around,
         open=surface.outward,
     )
     return PairPart(SELF, surface, _settled(surface, partners, points), friction, 0.5)
@@ -269,17 +267,15 @@ def _triangles(
             "needs; cut away what cannot be touched."
         )
     count = len(points)
-    nowhere = np.zeros(len(nodes), dtype=bool)
     nothing = (np.zeros(len(surface.sides) + 1, dtype=np.int64), np.zeros(0, dtype=np.int64))
     partners = Partners(
         sides=sides + count,
         corners=3,
-        overhang=overhangs(nodes, sides, nowhere),
-        rims=rims(nodes, sides, nowhere),
+        overhang=overhangs(nodes, sides, np.zeros(len(nodes), dtype=bool)),
         depth=np.full(len(sides), CONTACT_SEARCH.near * size),
         strangers=nothing,
         around=_around((sides,), 3),
         reach=CONTACT_SEARCH.reach * size,
-        rigid=Rigid(obstacle, nodes, unknown),
+        rigid=Rigid(obstacle, nodes, unknown, rims(nodes, sides)),
     )
     return PairPart(obstacle.name, surface, partners, obstacle.friction, 1.0)

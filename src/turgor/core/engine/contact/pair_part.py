@@ -10,6 +10,7 @@ from turgor.core.engine.contact.closest import centers_of, points_of
 from turgor.core.engine.contact.friction import FrictionHistory
 from turgor.core.engine.contact.part import Gaps, SearchMode, Ties, dofs, groups, nodal
 from turgor.core.engine.contact.points_part import PointsPart
+from turgor.core.engine.contact.rigid_triangles import Rims
 from turgor.core.engine.contact.search import Grid, find_partners, follow_partners
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.surface import Surface
@@ -31,11 +32,14 @@ class Rigid:
         Scaled positions at first.
     unknown : int
         First of its three unknowns where a spring holds it, −1 otherwise.
+    rims : Rims
+        Its sharp edges.
     """
 
     obstacle: Obstacle
     points: Array
     unknown: int
+    rims: Rims
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,8 +63,6 @@ class Partners:
     reach : float
         How far apart two sides still see each other.
     rigid : Rigid or None
-    rims : (t, e) array, optional
-        Width of sides across their sharp convex edges, inf at other edges; None for films.
     open : (t,) bool array, optional
         Sides that touch all other open ones but strangers: all of solids, those of films that look out of a cavity.
     """
@@ -73,7 +75,6 @@ class Partners:
     around: tuple[Ints, Ints]
     reach: float
     rigid: Rigid | None = None
-    rims: Array | None = None
     open: NDArray[np.bool_] | None = None
 
 
@@ -97,9 +98,8 @@ class PairPart(PointsPart):
         self.partners = partners
         self._band = CONTACT_SEARCH.rim * np.sqrt(surface.weights.sum(axis=1))
         self._beyond = partners.overhang
-        if partners.rims is not None:  # points are looked after until a rim has passed them
-            share = np.minimum(self._band.max(initial=0.0) / partners.rims, CONTACT_SEARCH.beyond)
-            self._beyond = np.maximum(partners.overhang, share)
+        if partners.rigid is not None:  # points have a partner until its rim has passed them
+            self._beyond = np.maximum(self._beyond, partners.rigid.rims.beyond(self._band.max(initial=0.0)))
 
     @property
     def rigid(self) -> Rigid | None:
@@ -145,20 +145,22 @@ class PairPart(PointsPart):
         return Gaps(x, normal, growth, partner, at, gap, pose, self._covered(partner, at, gap))
 
     def _covered(self, partner: Ints, at: Array, gap: Array) -> Array:
-        """Share of points (s, q) that lies within the sharp rims of their partners, from 0 to 1 across a band."""
-        out, rims = np.ones(gap.shape), self.partners.rims
-        if rims is None:
-            return out
+        """Share (s, q) of points that a rigid body covers: less than 1 where a sharp rim passes them."""
+        out = np.ones(gap.shape)
         near = np.argwhere(gap < 0)
-        near = near[np.isfinite(rims[partner[near[:, 0], near[:, 1]]]).any(axis=1)]
-        i, q = near.T
-        r, s = at[i, q].T
-        inward = np.stack([s, 1 - r - s, r] if self.partners.corners == 3 else [s, 1 - r, 1 - s, r], axis=1)
-        width = rims[partner[i, q]]
-        sharp = np.isfinite(width)
-        within = np.where(sharp, inward * np.where(sharp, width, 0.0), np.inf).min(axis=1)
-        out[i, q] = np.clip(0.5 + 0.5 * within / self._band[i], 0.0, 1.0)
+        if self.rigid is not None and len(near):
+            i, q = near.T
+            out[i, q], _, _ = self.rigid.rims.covered(partner[i, q], at[i, q], self._band[i])
         return out
+
+    def _fading(self, points: Ints, gaps: Gaps) -> tuple[Array, Array]:
+        """Gradients (k, 3) and second derivatives (k, 3, 3) in space of the shares of points that are covered."""
+        if self.rigid is None:
+            return np.zeros((len(points), 3)), np.zeros((len(points), 3, 3))
+        i, q = points.T
+        _, gradient, bent = self.rigid.rims.covered(self._partners(gaps, points), gaps.at[i, q], self._band[i])
+        return gaps.pose.turned(gradient), gaps.pose.turned_tensors(bent)
+
 
     def _search(self, x: Array, normal: Array, position: Array, every: Array) -> tuple[Ints, Array, Array]:
         """Search the whole surface: partner, place and gap of every point."""
@@ -173,13 +175,15 @@ class PairPart(PointsPart):
         return find_partners((x, normal), every, p.sides, (own, others), cubes, allowed, p.reach, apart)
 
     def _springs(self, points: Ints, gaps: Gaps) -> Array:
-        """Pressure per depth (k,) at points: that of the softer side, times the penalty scale of the point's own."""
+        return self._whole(points, gaps) * gaps.covered[points[:, 0], points[:, 1]]
+
+    def _whole(self, points: Ints, gaps: Gaps) -> Array:
+        """Pressure per depth (k,) of covered points: of the softer side, times the penalty scale of the point's own."""
         side, partner = points[:, 0], self._partners(gaps, points)
         spring = self.surface.spring[side]
         if self.rigid is None:
             spring = np.minimum(spring, self.surface.spring[partner])
-        covered = gaps.covered[side, points[:, 1]]
-        return np.asarray(self.share * spring * self.penalty_scale[side] * covered)
+        return np.asarray(self.share * spring * self.penalty_scale[side])
 
     def _nodes(self, points: Ints, partner: Ints, count: int) -> Ints:
         return np.hstack([self.surface.sides[points[:, 0]], self.partners.sides[partner]])
@@ -195,9 +199,15 @@ class PairPart(PointsPart):
         local = pairs.press_forces(
             every, (self.surface.sides, self.partners.sides), self.surface.N, points, partner, at, spring
         )
-        return nodal(self._nodes(points, partner, len(position)), local, len(every))
+        out = nodal(self._nodes(points, partner, len(position)), local, len(every))
+        if self.rigid is None:
+            return out
+        fading, _ = self._fading(points, gaps)
+        push = (0.5 * self._whole(points, gaps) * gaps.gap[i, q] ** 2 * self._weights(points))[:, None] * fading
+        local = self._shares(points, at)[:, :, None] * push[:, None, :]
+        return out + nodal(self._nodes(points, partner, len(position)), local, len(every))
 
-    def _press_tangents(self, position: Array, gaps: Gaps) -> Ties:
+    def _press_tangents(self, position: Array, gaps: Gaps) -> list[Ties]:
         points = gaps.touching
         partner = gaps.partner[points[:, 0], points[:, 1]]
         order, start, keys = groups(self._key(points[:, 0], partner))
@@ -207,7 +217,24 @@ class PairPart(PointsPart):
         at = np.ascontiguousarray(gaps.at[points[:, 0], points[:, 1]])
         every = self._all(position, gaps.pose)
         local = pairs.press_tangents(every, sides, self.surface.N, points, partner, at, spring, start)
-        return Ties(self.tied_unknowns(keys), local)
+        return [Ties(self.tied_unknowns(keys), local), *self._push_off_tangents(position, gaps)]
+
+    def _push_off_tangents(self, position: Array, gaps: Gaps) -> list[Ties]:
+        points, (fading, bent) = gaps.touching, self._fading(gaps.touching, gaps)
+        chosen = fading.any(axis=1)
+        if not chosen.any():
+            return []
+        points, fading, bent = points[chosen], fading[chosen], bent[chosen]
+        i, q = points.T
+        spring, gap = self._whole(points, gaps) * self._weights(points), gaps.gap[i, q]
+        push = (spring * gap)[:, None, None] * self._normals(position, gaps, points)[:, :, None] * fading[:, None, :]
+        matrices = push + push.transpose(0, 2, 1) + (0.5 * spring * gap**2)[:, None, None] * bent
+        return [self._tied(points, gaps.partner[i, q], self._shares(points, gaps.at[i, q]), matrices)]
+
+    def _limit_change(self, position: Array, gaps: Gaps, points: Ints) -> Array:
+        out = super()._limit_change(position, gaps, points)
+        pressure = self._whole(points, gaps) * -gaps.gap[points[:, 0], points[:, 1]]
+        return out + self.coefficient * pressure[:, None] * self._fading(points, gaps)[0]
 
     def _apart(self, position: Array, gaps: Gaps, a: FrictionHistory) -> Array:
         places = self._all(position, gaps.pose)[self._nodes(a.points, a.partner, len(position))]

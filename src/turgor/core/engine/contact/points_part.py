@@ -80,7 +80,7 @@ class PointsPart(ABC):
         """Forces of the pressure on the nodes."""
 
     @abstractmethod
-    def _press_tangents(self, position: Array, gaps: Gaps) -> Ties:
+    def _press_tangents(self, position: Array, gaps: Gaps) -> list[Ties]:
         """Tangents of the points that press."""
 
     @abstractmethod
@@ -125,7 +125,7 @@ class PointsPart(ABC):
 
     def tangents(self, position: Array, gaps: Gaps) -> list[Ties]:
         """Tangents of the points that press, and of those that stick or slip at the limits that they have."""
-        out = [self._press_tangents(position, gaps)] if gaps.inside.any() else []
+        out = self._press_tangents(position, gaps) if gaps.inside.any() else []
         a = self.bound(gaps)
         if a is not None:
             _, matrices = friction.tractions(a, self._apart(position, gaps, a))
@@ -151,14 +151,17 @@ class PointsPart(ABC):
             return None
         points, pull = a.points[chosen], pull[chosen]
         partner, at = self._partners(gaps, points), gaps.at[points[:, 0], points[:, 1]]
-        normal = self._normals(position, gaps, points)
-        normal *= -self.coefficient * self._springs(points, gaps)[:, None]
+        change = self._limit_change(position, gaps, points)
         return Rubbing(
             self.tied_unknowns(self._key(points[:, 0], a.partner[chosen])),
             (self._shares(points, a.at[chosen])[:, :, None] * pull[:, None, :]).reshape(len(points), -1),
             self.tied_unknowns(self._key(points[:, 0], partner)),
-            (self._shares(points, at)[:, :, None] * normal[:, None, :]).reshape(len(points), -1),
+            (self._shares(points, at)[:, :, None] * change[:, None, :]).reshape(len(points), -1),
         )
+
+    def _limit_change(self, position: Array, gaps: Gaps, points: Ints) -> Array:
+        """Gradients (k, 3) of the limits of friction as points inside move."""
+        return -self.coefficient * self._springs(points, gaps)[:, None] * self._normals(position, gaps, points)
 
     def pressures(self, gaps: Gaps) -> Array:
         """Pressure (s, q) per reference area at the points, that of both passes."""

@@ -116,7 +116,7 @@ def overhangs(points: Array, sides: Ints, mirrored: NDArray[np.bool_]) -> Array:
     """How far a foot point may lie beyond each edge of each side (s, e); ``mirrored`` marks nodes on mirror planes."""
     kind = side_type(sides.shape[1])
     _, _, normal = centers_of(points, sides, kind.corners)
-    edges, owner, (first, second) = _joined(sides)
+    edges, owner, (first, second) = joined(sides)
     out = np.full(len(edges), ROUND_OFF.mesh_digits)
     smooth = np.einsum("ei,ei->e", normal[owner[first]], normal[owner[second]]) > CONTACT_SEARCH.smooth
     out[first[smooth]] = out[second[smooth]] = CONTACT_SEARCH.overhang
@@ -124,26 +124,7 @@ def overhangs(points: Array, sides: Ints, mirrored: NDArray[np.bool_]) -> Array:
     return np.ascontiguousarray(out.reshape(len(kind.edges), -1).T)
 
 
-def rims(points: Array, sides: Ints, mirrored: NDArray[np.bool_]) -> Array:
-    """How wide each side (s, e) is across its edges that are convex and sharp; inf at all others."""
-    kind = side_type(sides.shape[1])
-    center, _, normal = centers_of(points, sides, kind.corners)
-    edges, owner, (first, second) = _joined(sides)
-    a, b = owner[first], owner[second]
-    smooth = np.einsum("ei,ei->e", normal[a], normal[b]) > CONTACT_SEARCH.smooth
-    groove = np.einsum("ei,ei->e", center[b] - center[a], normal[a]) > 0
-    begin = points[edges[:, 0]]
-    along = points[edges[:, 1]] - begin
-    away = np.cross(center[owner] - begin, along)
-    share = 1 / 3 if kind.corners == 3 else 1 / 2  # of the width that lies between an edge and the center
-    out = np.linalg.norm(away, axis=1) / np.linalg.norm(along, axis=1) / share
-    none = smooth | groove
-    out[first[none]] = out[second[none]] = np.inf
-    out[mirrored[edges].all(axis=1)] = np.inf
-    return np.ascontiguousarray(out.reshape(len(kind.edges), -1).T)
-
-
-def _joined(sides: Ints) -> tuple[Ints, Ints, tuple[Ints, Ints]]:
+def joined(sides: Ints) -> tuple[Ints, Ints, tuple[Ints, Ints]]:
     """Edges of all sides (e, 2) with their sides (e,), and the rows of edges that join two sides."""
     kind = side_type(sides.shape[1])
     edges = np.concatenate([np.sort(sides[:, list(pair)], axis=1) for pair in kind.edges])
