@@ -9,7 +9,7 @@ from turgor.core.engine.contact import pairs
 from turgor.core.engine.contact.closest import centers_of, points_of
 from turgor.core.engine.contact.friction import FrictionHistory
 from turgor.core.engine.contact.part import Gaps, SearchMode, Ties, dofs, groups, nodal
-from turgor.core.engine.contact.points_part import PointsPart
+from turgor.core.engine.contact.points_part import PointsPart, Rubbing
 from turgor.core.engine.contact.rigid_triangles import Rims
 from turgor.core.engine.contact.search import Grid, find_partners, follow_partners
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
@@ -150,17 +150,15 @@ class PairPart(PointsPart):
         near = np.argwhere(gap < 0)
         if self.rigid is not None and len(near):
             i, q = near.T
-            out[i, q], _, _ = self.rigid.rims.covered(partner[i, q], at[i, q], self._band[i])
+            out[i, q], _ = self.rigid.rims.covered(partner[i, q], at[i, q], self._band[i])
         return out
 
-    def _fading(self, points: Ints, gaps: Gaps) -> tuple[Array, Array]:
-        """Gradients (k, 3) and second derivatives (k, 3, 3) in space of the shares of points that are covered."""
+    def _fading(self, points: Ints, gaps: Gaps) -> Array:
+        """Gradients (k, 3) in space of the shares of points that are covered."""
         if self.rigid is None:
-            return np.zeros((len(points), 3)), np.zeros((len(points), 3, 3))
+            return np.zeros((len(points), 3))
         i, q = points.T
-        _, gradient, bent = self.rigid.rims.covered(self._partners(gaps, points), gaps.at[i, q], self._band[i])
-        return gaps.pose.turned(gradient), gaps.pose.turned_tensors(bent)
-
+        return gaps.pose.turned(self.rigid.rims.covered(self._partners(gaps, points), gaps.at[i, q], self._band[i])[1])
 
     def _search(self, x: Array, normal: Array, position: Array, every: Array) -> tuple[Ints, Array, Array]:
         """Search the whole surface: partner, place and gap of every point."""
@@ -199,15 +197,9 @@ class PairPart(PointsPart):
         local = pairs.press_forces(
             every, (self.surface.sides, self.partners.sides), self.surface.N, points, partner, at, spring
         )
-        out = nodal(self._nodes(points, partner, len(position)), local, len(every))
-        if self.rigid is None:
-            return out
-        fading, _ = self._fading(points, gaps)
-        push = (0.5 * self._whole(points, gaps) * gaps.gap[i, q] ** 2 * self._weights(points))[:, None] * fading
-        local = self._shares(points, at)[:, :, None] * push[:, None, :]
-        return out + nodal(self._nodes(points, partner, len(position)), local, len(every))
+        return nodal(self._nodes(points, partner, len(position)), local, len(every))
 
-    def _press_tangents(self, position: Array, gaps: Gaps) -> list[Ties]:
+    def _press_tangents(self, position: Array, gaps: Gaps) -> Ties:
         points = gaps.touching
         partner = gaps.partner[points[:, 0], points[:, 1]]
         order, start, keys = groups(self._key(points[:, 0], partner))
@@ -217,24 +209,29 @@ class PairPart(PointsPart):
         at = np.ascontiguousarray(gaps.at[points[:, 0], points[:, 1]])
         every = self._all(position, gaps.pose)
         local = pairs.press_tangents(every, sides, self.surface.N, points, partner, at, spring, start)
-        return [Ties(self.tied_unknowns(keys), local), *self._push_off_tangents(position, gaps)]
+        return Ties(self.tied_unknowns(keys), local)
 
-    def _push_off_tangents(self, position: Array, gaps: Gaps) -> list[Ties]:
-        points, (fading, bent) = gaps.touching, self._fading(gaps.touching, gaps)
-        chosen = fading.any(axis=1)
+    def fading(self, position: Array, gaps: Gaps) -> Rubbing | None:
+        """How the pressure changes as a rim passes points: a matrix of rank one for each of them."""
+        gradient = self._fading(gaps.touching, gaps)
+        chosen = gradient.any(axis=1)
         if not chosen.any():
-            return []
-        points, fading, bent = points[chosen], fading[chosen], bent[chosen]
+            return None
+        points, gradient = gaps.touching[chosen], gradient[chosen]
         i, q = points.T
-        spring, gap = self._whole(points, gaps) * self._weights(points), gaps.gap[i, q]
-        push = (spring * gap)[:, None, None] * self._normals(position, gaps, points)[:, :, None] * fading[:, None, :]
-        matrices = push + push.transpose(0, 2, 1) + (0.5 * spring * gap**2)[:, None, None] * bent
-        return [self._tied(points, gaps.partner[i, q], self._shares(points, gaps.at[i, q]), matrices)]
+        force = (self._whole(points, gaps) * gaps.gap[i, q] * self._weights(points))[:, None]
+        force = force * self._normals(position, gaps, points)
+        unknowns = self.tied_unknowns(self._key(i, gaps.partner[i, q]))
+        pull, change = (
+            (self._shares(points, gaps.at[i, q])[:, :, None] * each[:, None, :]).reshape(len(points), -1)
+            for each in (force, gradient)
+        )
+        return Rubbing(unknowns, pull, unknowns, change)
 
     def _limit_change(self, position: Array, gaps: Gaps, points: Ints) -> Array:
         out = super()._limit_change(position, gaps, points)
         pressure = self._whole(points, gaps) * -gaps.gap[points[:, 0], points[:, 1]]
-        return out + self.coefficient * pressure[:, None] * self._fading(points, gaps)[0]
+        return out + self.coefficient * pressure[:, None] * self._fading(points, gaps)
 
     def _apart(self, position: Array, gaps: Gaps, a: FrictionHistory) -> Array:
         places = self._all(position, gaps.pose)[self._nodes(a.points, a.partner, len(position))]

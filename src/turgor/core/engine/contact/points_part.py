@@ -26,18 +26,20 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rubbing:
-    """How the limit of friction changes with the contact pressure: a matrix of rank one for each of k points.
+    """Unsymmetric part of the tangent, a matrix of rank one for each of k points: how a force follows another value.
+
+    The value is the limit of friction, which changes with the pressure, or the share of a point that a rim leaves.
 
     Parameters
     ----------
     pulled : (k, m) int array
         Unknowns that are pulled, −1 for none.
     pull : (k, m) array
-        Forces on them for a limit of one.
+        Forces on them for a value of one.
     pressed : (k, l) int array
-        Unknowns that change the limit, −1 for none.
+        Unknowns that change the value, −1 for none.
     change : (k, l) array
-        How the limit changes with each.
+        How the value changes with each.
     """
 
     pulled: Ints
@@ -80,7 +82,7 @@ class PointsPart(ABC):
         """Forces of the pressure on the nodes."""
 
     @abstractmethod
-    def _press_tangents(self, position: Array, gaps: Gaps) -> list[Ties]:
+    def _press_tangents(self, position: Array, gaps: Gaps) -> Ties:
         """Tangents of the points that press."""
 
     @abstractmethod
@@ -125,7 +127,7 @@ class PointsPart(ABC):
 
     def tangents(self, position: Array, gaps: Gaps) -> list[Ties]:
         """Tangents of the points that press, and of those that stick or slip at the limits that they have."""
-        out = self._press_tangents(position, gaps) if gaps.inside.any() else []
+        out = [self._press_tangents(position, gaps)] if gaps.inside.any() else []
         a = self.bound(gaps)
         if a is not None:
             _, matrices = friction.tractions(a, self._apart(position, gaps, a))
@@ -159,6 +161,10 @@ class PointsPart(ABC):
             (self._shares(points, at)[:, :, None] * change[:, None, :]).reshape(len(points), -1),
         )
 
+    def fading(self, position: Array, gaps: Gaps) -> Rubbing | None:
+        """Change of the pressure where a rim passes points; None where there is no rim."""
+        return None
+
     def _limit_change(self, position: Array, gaps: Gaps, points: Ints) -> Array:
         """Gradients (k, 3) of the limits of friction as points inside move."""
         return -self.coefficient * self._springs(points, gaps)[:, None] * self._normals(position, gaps, points)
@@ -185,9 +191,7 @@ class PointsPart(ABC):
         """
         points = before.also(gaps)
         i, q = points.T
-        gain = (
-            self._springs(points, gaps) * self._weights(points) * (1 - former[i] / self.penalty_scale[i])
-        )
+        gain = self._springs(points, gaps) * self._weights(points) * (1 - former[i] / self.penalty_scale[i])
         return float(0.5 * (gain * before.gap[i, q] * gaps.gap[i, q]).sum())
 
     def rubbed(self, position: Array, gaps: Gaps) -> float:

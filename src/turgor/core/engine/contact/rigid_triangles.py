@@ -77,11 +77,11 @@ class Rims:
         """How far (t, 3) a foot point may lie beyond each edge, for a band of that length."""
         return np.minimum(band / self.width, CONTACT_SEARCH.beyond)
 
-    def covered(self, partner: Ints, at: Array, band: Array) -> tuple[Array, Array, Array]:
-        """Shares (k,) of points that their triangles cover, with gradients (k, 3) and second derivatives (k, 3, 3).
+    def covered(self, partner: Ints, at: Array, band: Array) -> tuple[Array, Array]:
+        """Shares (k,) of points that their triangles cover, and the gradients (k, 3) of these in space.
 
         ``at`` are the places (k, 2) on the ``partner`` triangles, ``band`` (k,) the lengths on both sides of a rim.
-        The share has a continuous slope, because the rim pushes points off with a force in proportion to it.
+        The energy of the penetration that fades is lost: a rim that gained it would push points off.
         """
         r, s = at.T
         width = self.width[partner]
@@ -90,8 +90,7 @@ class Rims:
         edge = within.argmin(axis=1)
         way = np.clip(0.5 + 0.5 * within.min(axis=1) / band, 0, 1)
         step = 0.5 / band[:, None] * self.inward[partner, edge]
-        bent = np.where((way > 0) & (way < 1), 6 - 12 * way, 0.0)[:, None, None] * step[:, :, None] * step[:, None, :]
-        return way**2 * (3 - 2 * way), (6 * way * (1 - way))[:, None] * step, bent
+        return way**2 * (3 - 2 * way), (6 * way * (1 - way))[:, None] * step
 
 
 def rims(points: Array, sides: Ints) -> Rims:

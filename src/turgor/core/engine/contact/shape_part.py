@@ -72,14 +72,14 @@ class ShapePart(PointsPart):
         local = self._shares(points, at)[:, :, None] * push[:, None, :]
         return nodal(self._nodes(points, partner, len(position)), local, len(position) + 1)
 
-    def _press_tangents(self, position: Array, gaps: Gaps) -> list[Ties]:
+    def _press_tangents(self, position: Array, gaps: Gaps) -> Ties:
         points = gaps.touching
         i, q = points.T
         gap, gradient, hessian = self.shape.signed_distance(gaps.pose.at_first(gaps.x[i, q]))
         matrices = gradient[:, :, None] * gradient[:, None, :] + gap[:, None, None] * hessian
         matrices = gaps.pose.turned_tensors(matrices)
         matrices *= (self._springs(points, gaps) * self._weights(points))[:, None, None]
-        return [self._tied(points, gaps.partner[i, q], self._shares(points, gaps.at[i, q]), matrices)]
+        return self._tied(points, gaps.partner[i, q], self._shares(points, gaps.at[i, q]), matrices)
 
     def _apart(self, position: Array, gaps: Gaps, a: FrictionHistory) -> Array:
         return gaps.pose.at_first(gaps.x[a.points[:, 0], a.points[:, 1]])

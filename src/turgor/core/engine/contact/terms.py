@@ -206,8 +206,9 @@ class ContactTerms:
         return max(share, PENALTY.shortest)
 
     def rubbing(self, at: Contacts, size: int) -> sp.csc_matrix | None:
-        """The unsymmetric part of the tangent (size, size): limits of friction follow the pressure; None without."""
-        parts = [part.rubbing(at.position, gaps) for part, gaps in zip(self.parts, at.gaps, strict=True)]
+        """The unsymmetric part of the tangent (size, size), of friction and of rims that pass points; None without."""
+        pairs = zip(self.parts, at.gaps, strict=True)
+        parts = [each(at.position, gaps) for part, gaps in pairs for each in (part.rubbing, part.fading)]
         matrices = [
             _entries(each.pulled, each.pull, size).T @ _entries(each.pressed, each.change, size)
             for each in parts
