@@ -60,7 +60,7 @@ def touches(system: System, at: Evaluation) -> dict[str, Touch]:
             force=force * stress * length**2,
             pressure=nodal_pressure(part, gaps, count) * stress,
             area=contact_area(part, gaps) * length**2,
-            penetration=max(0.0, -float(gaps.gap.min(initial=0.0))) * length,
+            penetration=max(0.0, -float(gaps.pressed.min(initial=0.0))) * length,
             place=gaps.pose.place * length,
             share=system.contact.share_of_tolerance(part, gaps),
         )

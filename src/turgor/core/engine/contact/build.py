@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.contact.closest import centers_of
 from turgor.core.engine.contact.films import film_exceptions
 from turgor.core.engine.contact.pair_part import PairPart, Partners, Rigid
-from turgor.core.engine.contact.rigid_triangles import refined, six_nodes
+from turgor.core.engine.contact.rigid_triangles import refined, rims, six_nodes
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.contact.surface import Surface, listed, neighbors, of_face, overhangs, strangers
@@ -281,6 +281,6 @@ def _triangles(
         strangers=nothing,
         around=_around((sides,), 3),
         reach=CONTACT_SEARCH.reach * size,
-        rigid=Rigid(obstacle, nodes, unknown),
+        rigid=Rigid(obstacle, nodes, unknown, rims(nodes, sides)),
     )
     return PairPart(obstacle.name, surface, partners, obstacle.friction, 1.0)

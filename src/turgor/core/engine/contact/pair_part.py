@@ -9,7 +9,8 @@ from turgor.core.engine.contact import pairs
 from turgor.core.engine.contact.closest import centers_of, points_of
 from turgor.core.engine.contact.friction import FrictionHistory
 from turgor.core.engine.contact.part import Gaps, SearchMode, Ties, dofs, groups, nodal
-from turgor.core.engine.contact.points_part import PointsPart
+from turgor.core.engine.contact.points_part import PointsPart, Rubbing
+from turgor.core.engine.contact.rigid_triangles import Rims
 from turgor.core.engine.contact.search import Grid, find_partners, follow_partners
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.surface import Surface
@@ -31,11 +32,14 @@ class Rigid:
         Scaled positions at first.
     unknown : int
         First of its three unknowns where a spring holds it, −1 otherwise.
+    rims : Rims
+        Its sharp edges.
     """
 
     obstacle: Obstacle
     points: Array
     unknown: int
+    rims: Rims
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -48,6 +52,7 @@ class Partners:
         Nodes of the mesh, or behind them those of the rigid body.
     corners : int
     overhang : (t, e) array
+        How far a foot point may lie beyond each edge.
     depth : (t,) array
         Depth to which a point counts as inside.
     strangers : (start, list)
@@ -91,6 +96,10 @@ class PairPart(PointsPart):
     def __init__(self, name: str, surface: Surface, partners: Partners, coefficient: float, share: float) -> None:
         super().__init__(name, surface, coefficient, share)
         self.partners = partners
+        self._band = CONTACT_SEARCH.rim * np.sqrt(surface.weights.sum(axis=1))
+        self._beyond = partners.overhang
+        if partners.rigid is not None:  # points have a partner until its rim has passed them
+            self._beyond = np.maximum(self._beyond, partners.rigid.rims.beyond(self._band.max(initial=0.0)))
 
     @property
     def rigid(self) -> Rigid | None:
@@ -121,10 +130,11 @@ class PairPart(PointsPart):
         x, normal, growth = points_of(position, s.sides, s.N, s.dN)
         every = self._all(position, pose)
         if known is None:
-            return Gaps(x, normal, growth, *self._search(x, normal, position, every), pose)
+            found = self._search(x, normal, position, every)
+            return Gaps(x, normal, growth, *found, pose, self._covered(*found))
         walk = 0 if how is SearchMode.KEEP else CONTACT_SEARCH.walk
         partner, at, gap = follow_partners(
-            (x, normal), every, p.sides, known.partner, known.at, p.around, p.overhang, walk
+            (x, normal), every, p.sides, known.partner, known.at, p.around, self._beyond, walk
         )
         if how is SearchMode.GLOBAL:
             others, places, gaps = self._search(x, normal, position, every)
@@ -132,7 +142,23 @@ class PairPart(PointsPart):
             change = ~np.isfinite(gap) | ~np.isfinite(gaps) | nearer
             partner, gap = np.where(change, others, partner), np.where(change, gaps, gap)
             at = np.where(change[:, :, None], places, at)
-        return Gaps(x, normal, growth, partner, at, gap, pose)
+        return Gaps(x, normal, growth, partner, at, gap, pose, self._covered(partner, at, gap))
+
+    def _covered(self, partner: Ints, at: Array, gap: Array) -> Array:
+        """Share (s, q) of points that a rigid body covers: less than 1 where a sharp rim passes them."""
+        out = np.ones(gap.shape)
+        near = np.argwhere(gap < 0)
+        if self.rigid is not None and len(near):
+            i, q = near.T
+            out[i, q], _ = self.rigid.rims.covered(partner[i, q], at[i, q], self._band[i])
+        return out
+
+    def _fading(self, points: Ints, gaps: Gaps) -> Array:
+        """Gradients (k, 3) in space of the shares of points that are covered."""
+        if self.rigid is None:
+            return np.zeros((len(points), 3))
+        i, q = points.T
+        return gaps.pose.turned(self.rigid.rims.covered(self._partners(gaps, points), gaps.at[i, q], self._band[i])[1])
 
     def _search(self, x: Array, normal: Array, position: Array, every: Array) -> tuple[Ints, Array, Array]:
         """Search the whole surface: partner, place and gap of every point."""
@@ -141,14 +167,17 @@ class PairPart(PointsPart):
         own = others if p.sides is s.sides else centers_of(position, s.sides, s.corners)
         grid = Grid.of(others[0], p.reach + float(own[1].max() + others[1].max()))
         cubes = (grid.low, grid.edge, grid.counts, grid.start, grid.order)
-        allowed = (p.overhang, p.depth)
+        allowed = (self._beyond, p.depth)
         opened = [np.ones(len(sides), dtype=np.bool_) if p.open is None else p.open for sides in (s.sides, p.sides)]
         apart = (opened[0], opened[1], p.strangers[0], p.strangers[1])
         return find_partners((x, normal), every, p.sides, (own, others), cubes, allowed, p.reach, apart)
 
-    def _springs(self, points: Ints, partner: Ints) -> Array:
-        """Pressure per depth (k,) at points: that of the softer side, times the penalty scale of the point's own."""
-        side = points[:, 0]
+    def _springs(self, points: Ints, gaps: Gaps) -> Array:
+        return self._whole(points, gaps) * gaps.covered[points[:, 0], points[:, 1]]
+
+    def _whole(self, points: Ints, gaps: Gaps) -> Array:
+        """Pressure per depth (k,) of covered points: of the softer side, times the penalty scale of the point's own."""
+        side, partner = points[:, 0], self._partners(gaps, points)
         spring = self.surface.spring[side]
         if self.rigid is None:
             spring = np.minimum(spring, self.surface.spring[partner])
@@ -164,7 +193,7 @@ class PairPart(PointsPart):
             return np.zeros_like(every)
         i, q = points.T
         partner, at = gaps.partner[i, q], gaps.at[i, q]
-        spring = self._springs(points, partner) * self._weights(points)
+        spring = self._springs(points, gaps) * self._weights(points)
         local = pairs.press_forces(
             every, (self.surface.sides, self.partners.sides), self.surface.N, points, partner, at, spring
         )
@@ -175,12 +204,34 @@ class PairPart(PointsPart):
         partner = gaps.partner[points[:, 0], points[:, 1]]
         order, start, keys = groups(self._key(points[:, 0], partner))
         points, partner = np.ascontiguousarray(points[order]), np.ascontiguousarray(partner[order])
-        spring = self._springs(points, partner) * self._weights(points)
+        spring = self._springs(points, gaps) * self._weights(points)
         sides = (self.surface.sides, self.partners.sides)
         at = np.ascontiguousarray(gaps.at[points[:, 0], points[:, 1]])
         every = self._all(position, gaps.pose)
         local = pairs.press_tangents(every, sides, self.surface.N, points, partner, at, spring, start)
         return Ties(self.tied_unknowns(keys), local)
+
+    def fading(self, position: Array, gaps: Gaps) -> Rubbing | None:
+        """How the pressure changes as a rim passes points: a matrix of rank one for each of them."""
+        gradient = self._fading(gaps.touching, gaps)
+        chosen = gradient.any(axis=1)
+        if not chosen.any():
+            return None
+        points, gradient = gaps.touching[chosen], gradient[chosen]
+        i, q = points.T
+        force = (self._whole(points, gaps) * gaps.gap[i, q] * self._weights(points))[:, None]
+        force = force * self._normals(position, gaps, points)
+        unknowns = self.tied_unknowns(self._key(i, gaps.partner[i, q]))
+        pull, change = (
+            (self._shares(points, gaps.at[i, q])[:, :, None] * each[:, None, :]).reshape(len(points), -1)
+            for each in (force, gradient)
+        )
+        return Rubbing(unknowns, pull, unknowns, change)
+
+    def _limit_change(self, position: Array, gaps: Gaps, points: Ints) -> Array:
+        out = super()._limit_change(position, gaps, points)
+        pressure = self._whole(points, gaps) * -gaps.gap[points[:, 0], points[:, 1]]
+        return out + self.coefficient * pressure[:, None] * self._fading(points, gaps)
 
     def _apart(self, position: Array, gaps: Gaps, a: FrictionHistory) -> Array:
         places = self._all(position, gaps.pose)[self._nodes(a.points, a.partner, len(position))]

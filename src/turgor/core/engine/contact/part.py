@@ -41,6 +41,8 @@ class Gaps:
         Distance, negative inside, inf where nothing is near.
     pose : Pose
         Where the obstacle is, scaled.
+    covered : (s, q) array
+        Share of each point that what it touches covers: less than 1 where a sharp rim passes it.
     friction : FrictionHistory or None
         With which the points slip; None where there is no friction.
     """
@@ -52,6 +54,7 @@ class Gaps:
     at: Array
     gap: Array
     pose: Pose
+    covered: Array
     friction: FrictionHistory | None = None
 
     @property
@@ -66,7 +69,12 @@ class Gaps:
     @property
     def inside(self) -> NDArray[np.bool_]:
         """Which points (s, q) are inside; round-off does not count."""
-        return np.asarray(self.gap < -ROUND_OFF.zero)
+        return np.asarray((self.gap < -ROUND_OFF.zero) & (self.covered > 0))
+
+    @property
+    def pressed(self) -> Array:
+        """Signed gap (s, q), less deep as far as a point is not covered."""
+        return np.where(self.gap < 0, self.covered * self.gap, self.gap)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

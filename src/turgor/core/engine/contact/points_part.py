@@ -26,18 +26,20 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rubbing:
-    """How the limit of friction changes with the contact pressure: a matrix of rank one for each of k points.
+    """Unsymmetric part of the tangent, a matrix of rank one for each of k points: how a force follows another value.
+
+    The value is the limit of friction, which changes with the pressure, or the share of a point that a rim leaves.
 
     Parameters
     ----------
     pulled : (k, m) int array
         Unknowns that are pulled, −1 for none.
     pull : (k, m) array
-        Forces on them for a limit of one.
+        Forces on them for a value of one.
     pressed : (k, l) int array
-        Unknowns that change the limit, −1 for none.
+        Unknowns that change the value, −1 for none.
     change : (k, l) array
-        How the limit changes with each.
+        How the value changes with each.
     """
 
     pulled: Ints
@@ -84,8 +86,8 @@ class PointsPart(ABC):
         """Tangents of the points that press."""
 
     @abstractmethod
-    def _springs(self, points: Ints, partner: Ints) -> Array:
-        """Pressure per depth (k,) at points."""
+    def _springs(self, points: Ints, gaps: Gaps) -> Array:
+        """Pressure per depth (k,) at points, of their whole area."""
 
     @abstractmethod
     def _nodes(self, points: Ints, partner: Ints, count: int) -> Ints:
@@ -151,28 +153,35 @@ class PointsPart(ABC):
             return None
         points, pull = a.points[chosen], pull[chosen]
         partner, at = self._partners(gaps, points), gaps.at[points[:, 0], points[:, 1]]
-        normal = self._normals(position, gaps, points)
-        normal *= -self.coefficient * self._springs(points, partner)[:, None]
+        change = self._limit_change(position, gaps, points)
         return Rubbing(
             self.tied_unknowns(self._key(points[:, 0], a.partner[chosen])),
             (self._shares(points, a.at[chosen])[:, :, None] * pull[:, None, :]).reshape(len(points), -1),
             self.tied_unknowns(self._key(points[:, 0], partner)),
-            (self._shares(points, at)[:, :, None] * normal[:, None, :]).reshape(len(points), -1),
+            (self._shares(points, at)[:, :, None] * change[:, None, :]).reshape(len(points), -1),
         )
+
+    def fading(self, position: Array, gaps: Gaps) -> Rubbing | None:
+        """Change of the pressure where a rim passes points; None where there is no rim."""
+        return None
+
+    def _limit_change(self, position: Array, gaps: Gaps, points: Ints) -> Array:
+        """Gradients (k, 3) of the limits of friction as points inside move."""
+        return -self.coefficient * self._springs(points, gaps)[:, None] * self._normals(position, gaps, points)
 
     def pressures(self, gaps: Gaps) -> Array:
         """Pressure (s, q) per reference area at the points, that of both passes."""
         out = np.zeros(gaps.gap.shape)
         points = gaps.touching
         i, q = points.T
-        out[i, q] = self._springs(points, gaps.partner[i, q]) / self.share * -gaps.gap[i, q]
+        out[i, q] = self._springs(points, gaps) / self.share * -gaps.gap[i, q]
         return out
 
     def energy(self, gaps: Gaps) -> float:
         """Energy stored in the penetration."""
         points = gaps.touching
         i, q = points.T
-        spring = self._springs(points, gaps.partner[i, q]) * self._weights(points)
+        spring = self._springs(points, gaps) * self._weights(points)
         return float(0.5 * (spring * gaps.gap[i, q] ** 2).sum())
 
     def stiffened(self, former: Array, before: Gaps, gaps: Gaps) -> float:
@@ -182,9 +191,7 @@ class PointsPart(ABC):
         """
         points = before.also(gaps)
         i, q = points.T
-        gain = (
-            self._springs(points, gaps.partner[i, q]) * self._weights(points) * (1 - former[i] / self.penalty_scale[i])
-        )
+        gain = self._springs(points, gaps) * self._weights(points) * (1 - former[i] / self.penalty_scale[i])
         return float(0.5 * (gain * before.gap[i, q] * gaps.gap[i, q]).sum())
 
     def rubbed(self, position: Array, gaps: Gaps) -> float:
@@ -203,7 +210,7 @@ class PointsPart(ABC):
         """Coulomb's limit (k,) of the tractions at points, from the present pressures."""
         gap = gaps.gap[points[:, 0], points[:, 1]]
         depth = np.where(np.isfinite(gap), np.maximum(-gap, 0.0), 0.0)
-        return np.asarray(self.coefficient * self._springs(points, self._partners(gaps, points)) * depth)
+        return np.asarray(self.coefficient * self._springs(points, gaps) * depth)
 
     def settled(self, gaps: Gaps) -> tuple[FrictionHistory | None, bool]:
         """The friction history with the present limits, and whether any differs noticeably from that before."""

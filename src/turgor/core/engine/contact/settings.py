@@ -37,6 +37,13 @@ class ContactSearchSettings:
         Foot points may lie this far beyond an edge that joins two sides smoothly, whose kink leaves wedges in front of
         it; beyond a sharp edge there is nothing. No case changes with 0.06. With 0.02, as far as a point keeps its
         partner, a block under a flat side of 98 triangles is off by 5e-4.
+    rim : float
+        A sharp rim passes a point within this length on both sides of it, over the length of the side of the point, and
+        its pressure fades meanwhile. Just less than from the edge of a side to its outermost point (0.113 in a square,
+        0.12 in a triangle), so that bodies whose rims meet press with their whole surface. Without it, a plate whose
+        rim slides off a block takes 2,980 iterations instead of 29.
+    beyond : float
+        That length at most, as a share of the side of the rim: beyond it, foot points on curved sides are in doubt.
     smooth : float
         Cosine between the normals of two sides that join smoothly: below 37°. No case changes with 18° or 66°, as edges
         of actuators are either rounded or sharp.
@@ -57,6 +64,8 @@ class ContactSearchSettings:
     facing: float = 0.3
     walk: int = 4
     overhang: float = 0.03
+    rim: float = 0.11
+    beyond: float = 0.3
     smooth: float = 0.8
     nearer: float = 1e-3
     most_triangles: int = 500_000

@@ -51,9 +51,9 @@ class ShapePart(PointsPart):
         gap, _, _ = self.shape.signed_distance(pose.at_first(x).reshape(-1, 3))
         zero = np.zeros(x.shape[:2], dtype=np.int64)
         at = np.zeros((*x.shape[:2], 2))
-        return Gaps(x, normal, growth, zero, at, gap.reshape(x.shape[:2]), pose)
+        return Gaps(x, normal, growth, zero, at, gap.reshape(x.shape[:2]), pose, np.ones(x.shape[:2]))
 
-    def _springs(self, points: Ints, partner: Ints) -> Array:
+    def _springs(self, points: Ints, gaps: Gaps) -> Array:
         side = points[:, 0]
         return np.asarray(self.surface.spring[side] * self.penalty_scale[side])
 
@@ -67,7 +67,7 @@ class ShapePart(PointsPart):
         points = gaps.touching
         i, q = points.T
         partner, at = gaps.partner[i, q], gaps.at[i, q]
-        spring = self._springs(points, partner) * self._weights(points)
+        spring = self._springs(points, gaps) * self._weights(points)
         push = (spring * gaps.gap[i, q])[:, None] * self._normals(position, gaps, points)
         local = self._shares(points, at)[:, :, None] * push[:, None, :]
         return nodal(self._nodes(points, partner, len(position)), local, len(position) + 1)
@@ -78,7 +78,7 @@ class ShapePart(PointsPart):
         gap, gradient, hessian = self.shape.signed_distance(gaps.pose.at_first(gaps.x[i, q]))
         matrices = gradient[:, :, None] * gradient[:, None, :] + gap[:, None, None] * hessian
         matrices = gaps.pose.turned_tensors(matrices)
-        matrices *= (self._springs(points, gaps.partner[i, q]) * self._weights(points))[:, None, None]
+        matrices *= (self._springs(points, gaps) * self._weights(points))[:, None, None]
         return self._tied(points, gaps.partner[i, q], self._shares(points, gaps.at[i, q]), matrices)
 
     def _apart(self, position: Array, gaps: Gaps, a: FrictionHistory) -> Array:

@@ -116,19 +116,23 @@ def overhangs(points: Array, sides: Ints, mirrored: NDArray[np.bool_]) -> Array:
     """How far a foot point may lie beyond each edge of each side (s, e); ``mirrored`` marks nodes on mirror planes."""
     kind = side_type(sides.shape[1])
     _, _, normal = centers_of(points, sides, kind.corners)
-    edges = np.concatenate([np.sort(sides[:, list(pair)], axis=1) for pair in kind.edges])
-    owner = np.tile(np.arange(len(sides)), len(kind.edges))
-    _, edge, count = np.unique(edges, axis=0, return_inverse=True, return_counts=True)
-    edge = edge.ravel()
-    order = np.argsort(edge, kind="stable")
-    start = np.cumsum(count) - count
+    edges, owner, (first, second) = joined(sides)
     out = np.full(len(edges), ROUND_OFF.mesh_digits)
-    twice = start[count == 2]
-    first, second = order[twice], order[twice + 1]
     smooth = np.einsum("ei,ei->e", normal[owner[first]], normal[owner[second]]) > CONTACT_SEARCH.smooth
     out[first[smooth]] = out[second[smooth]] = CONTACT_SEARCH.overhang
     out[mirrored[edges].all(axis=1)] = CONTACT_SEARCH.overhang  # the surface goes on behind the mirror
     return np.ascontiguousarray(out.reshape(len(kind.edges), -1).T)
+
+
+def joined(sides: Ints) -> tuple[Ints, Ints, tuple[Ints, Ints]]:
+    """Edges of all sides (e, 2) with their sides (e,), and the rows of edges that join two sides."""
+    kind = side_type(sides.shape[1])
+    edges = np.concatenate([np.sort(sides[:, list(pair)], axis=1) for pair in kind.edges])
+    owner = np.tile(np.arange(len(sides)), len(kind.edges))
+    _, edge, count = np.unique(edges, axis=0, return_inverse=True, return_counts=True)
+    order = np.argsort(edge.ravel(), kind="stable")
+    twice = (np.cumsum(count) - count)[count == 2]
+    return edges, owner, (order[twice], order[twice + 1])
 
 
 def strangers(points: Array, sides: Ints) -> tuple[Ints, Ints]:

@@ -196,17 +196,19 @@ class ContactTerms:
         share = 1.0
         for part, before, after in zip(self.parts, old.gaps, new.gaps, strict=True):
             deeper = PENALTY.deeper * part.surface.height[:, None]
-            allowed = np.minimum(before.gap, 0.0) - deeper
-            gap = np.minimum(after.gap, part.passed(new.position, before, after))
+            start = before.pressed
+            allowed = np.minimum(start, 0.0) - deeper
+            gap = np.minimum(after.pressed, part.passed(new.position, before, after))
             bad = gap < allowed - (PENALTY.margin - 1) * deeper
-            known = bad & np.isfinite(before.gap)
-            way = (before.gap[known] - allowed[known]) / (before.gap[known] - gap[known])
+            known = bad & np.isfinite(start)
+            way = (start[known] - allowed[known]) / (start[known] - gap[known])
             share = min(share, float(way.min(initial=1.0)), 1.0 if known.sum() == bad.sum() else PENALTY.unseen)
         return max(share, PENALTY.shortest)
 
     def rubbing(self, at: Contacts, size: int) -> sp.csc_matrix | None:
-        """The unsymmetric part of the tangent (size, size): limits of friction follow the pressure; None without."""
-        parts = [part.rubbing(at.position, gaps) for part, gaps in zip(self.parts, at.gaps, strict=True)]
+        """The unsymmetric part of the tangent (size, size), of friction and of rims that pass points; None without."""
+        pairs = zip(self.parts, at.gaps, strict=True)
+        parts = [each(at.position, gaps) for part, gaps in pairs for each in (part.rubbing, part.fading)]
         matrices = [
             _entries(each.pulled, each.pull, size).T @ _entries(each.pressed, each.change, size)
             for each in parts
@@ -232,7 +234,7 @@ class ContactTerms:
 
     def _shares(self, part: Part, gaps: Gaps) -> Array:
         """Deepest penetration of each side (s,) as a share of what the tolerance allows there."""
-        return np.asarray(np.maximum(-gaps.gap.min(axis=1), 0.0) / (self._tolerance * part.surface.height))
+        return np.asarray(np.maximum(-gaps.pressed.min(axis=1), 0.0) / (self._tolerance * part.surface.height))
 
     def stiffen(self, at: Contacts) -> bool:
         """Raise the penalty of sides that are penetrated beyond the tolerance; return whether any could be raised."""
