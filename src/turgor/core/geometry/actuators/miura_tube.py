@@ -14,7 +14,7 @@ from turgor.units import deg, m, mm
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MiuraTube:
-    """Tube of parallelograms, two mirrored strips of Miura-ori: it shortens, gets narrower and taller (Schenk, Guest).
+    """Tube of parallelograms, two mirrored strips of Miura-ori: vacuum folds it along its length (Schenk, Guest 2013).
 
     It has no solid: its materials are sheets, such as
     ``film = { law = "hooke", E = "20 MPa", nu = 0.45, thickness = "1 mm" }`` in a job file, whose bending stiffness
@@ -24,8 +24,8 @@ class MiuraTube:
     b, and the width 2 L and the height 2 H of the rhombus,
     L √(b² − S²) = a b cos γ and L² + H² = a², so that d ln L / d ln S = S² / (b² − S²).
     The volume is largest where H / L = S / b: vacuum shortens a tube that is folded further than that, and makes a
-    flatter one longer. A rigid rim or plate keeps its rhombus, so that the walls next to it bend. The sizes were chosen
-    here.
+    flatter one longer. A rigid rim or plate keeps its rhombus, so that the walls next to it bend; the plate also moves
+    a little along y. The sizes were chosen here.
 
     Axes: x from the fixed rim to the end plate; y along the width, the way that the rhombi lie to and fro; z along the
     height. The whole tube is modeled.
@@ -51,7 +51,7 @@ class MiuraTube:
     Examples
     --------
     >>> round(MiuraTube(rows=4).length * 1e3, 2)  # mm
-    33.75
+    28.35
     >>> MiuraTube(fold_angle=1.57)
     Traceback (most recent call last):
     turgor.TurgorError: fold_angle is 89.954 deg; allowed is 10 deg to 80 deg, so that the tube has a height and a \
