@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from turgor.core.geometry.actuators.inflatable_beam import InflatableBeam as InflatableBeam
     from turgor.core.geometry.actuators.kresling_tube import KreslingTube as KreslingTube
     from turgor.core.geometry.actuators.manta_fin import MantaFin as MantaFin
+    from turgor.core.geometry.actuators.miura_tube import MiuraTube as MiuraTube
     from turgor.core.geometry.actuators.omnidirectional_actuator import (
         OmnidirectionalActuator as OmnidirectionalActuator,
     )

@@ -24,6 +24,13 @@ def test_a_kresling_tube_twists_as_it_shortens() -> None:
 
 
 @pytest.mark.slow
+def test_a_miura_tube_folds_along_its_length() -> None:
+    response = run_example("miura_tube")
+    assert response.column("tip_displacement_x")[-1] == pytest.approx(-2.38 * mm, rel=0.05)
+    assert response.column("cavity_volume")[-1] < 0.9 * response.column("cavity_volume")[0]
+
+
+@pytest.mark.slow
 def test_a_yoshimura_bellows_shortens_without_a_twist() -> None:
     response = run_example("yoshimura_bellows")
     assert -response.column("tip_displacement_x")[-1] > 1.5 * mm

@@ -114,7 +114,7 @@ class NodesAt:
         if self.edge is not None:
             nodes = np.intersect1d(mesh.face_nodes(self.edge[0]), mesh.face_nodes(self.edge[1]))
         elif self.near is not None:
-            carrying = np.unique(mesh.carrying_cells)
+            carrying = np.unique(mesh.carrying_cells if len(mesh.cells) else mesh.film_sides)
             nodes = carrying[[np.linalg.norm(points[carrying] - self.near, axis=1).argmin()]]
         elif self.node_set is not None:
             if self.node_set not in mesh.node_sets:

@@ -44,6 +44,12 @@ def test_middles_that_follow_are_no_nearest_node() -> None:
     assert node in mesh.carrying_cells
 
 
+def test_films_without_a_solid_have_a_nearest_node() -> None:
+    mesh = tg.mesh(tg.actuators.MiuraTube(rows=1).build(), size=20e-3)
+    (node,) = NodesAt("crest", near=(0, 0, 1)).nodes(mesh)
+    assert mesh.points[node] == pytest.approx((0, 0, mesh.points[:, 2].max()))
+
+
 @pytest.mark.parametrize(
     ("given", "facts"),
     [
