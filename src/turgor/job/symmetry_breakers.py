@@ -18,6 +18,9 @@ Reason = tuple[str, str, str]
 #: Keys of a procedure or setup that are a direction.
 _DIRECTIONS = ("direction", "pull")
 
+#: Keys that pick nodes by their place; an edge is that of two faces, each of which has an image.
+_PLACES = ("near", "box", "node_set")
+
 
 def with_broken_planes(actuator: Any, content: Mapping[str, Any]) -> Any:
     """Tell a CAD part which mirror planes and wedges its loads forbid.
@@ -48,11 +51,8 @@ def _reasons(content: Mapping[str, Any]) -> Iterator[Reason]:
         if isinstance(stage, Mapping):
             yield from _of_loads(_table(stage, "loads"))
             yield from _of_procedure(_table(stage, "procedure"))
-    for name, support in _table(content, "supports").items():
-        moved = support.get("displacement") if isinstance(support, Mapping) else None
-        if isinstance(moved, list) and len(moved) == 3:
-            going = [axis for axis, part in zip(AXES, moved, strict=True) if part]
-            yield from _along(going, f"the face '{name}' is moved along {{}}")
+            yield from _of_supports(_table(stage, "displacements"))
+    yield from _of_supports(_table(content, "supports"))
     for name in _table(content, "points"):
         yield AXES, AXES, f"point '{name}' is not known to stay in the plane or on the axis"
     for name in _table(content, "obstacles"):
@@ -71,6 +71,30 @@ def _along(axes: Sequence[str], reason: str) -> Iterator[Reason]:
         yield axis, AXES.replace(axis, ""), reason.format(axis)
 
 
+def _of_supports(supports: Mapping[str, Any]) -> Iterator[Reason]:
+    for name, stated in supports.items():
+        support = {"displacement": stated} if isinstance(stated, list) else stated  # the latter in stages
+        if not isinstance(support, Mapping):
+            continue
+        moved, along = support.get("displacement"), support.get("directions")
+        if isinstance(moved, list) and len(moved) == 3:
+            going = [axis for axis, part in zip(AXES, moved, strict=True) if part]
+            yield from _along(going, f"the face '{name}' is moved along {{}}")
+        if "terms" in support:
+            yield AXES, AXES, f"the equation '{name}' is not known to be the same on both sides"
+        if isinstance(along, list) and len(along) == 3 and sum(map(bool, along)) > 1:
+            axes = "".join(axis for axis, part in zip(AXES, along, strict=True) if part)
+            yield axes, AXES, f"the support '{name}' acts along ({', '.join(map(str, along))})"
+        yield from _of_place(f"the support '{name}'", support)
+
+
+def _of_place(what: str, stated: Mapping[str, Any]) -> Iterator[Reason]:
+    """Break everything where nodes are picked by a point or a box, which the other side need not have."""
+    for key in _PLACES:
+        if key in stated:
+            yield AXES, AXES, f"{what} acts on nodes by {key}, which are not known to be the same on both sides"
+
+
 def _of_loads(loads: Mapping[str, Any]) -> Iterator[Reason]:
     for key in listed_kinds():
         if loads.get(key):
@@ -85,10 +109,12 @@ def _of_loads(loads: Mapping[str, Any]) -> Iterator[Reason]:
         if "hangs" in load:
             along = down if isinstance(down, str) else "-z"
             yield from _along([axis for axis in AXES if axis in along], f"a weight on '{name}' acts along {{}}")
-        force = load.get("force")
-        if isinstance(force, list) and len(force) == 3:
-            acting = [axis for axis, part in zip(AXES, force, strict=True) if part]
-            yield from _along(acting, f"a force on '{name}' acts along {{}}")
+        for key in ("force", "traction"):
+            vector = load.get(key)
+            if isinstance(vector, list) and len(vector) == 3:
+                acting = [axis for axis, part in zip(AXES, vector, strict=True) if part]
+                yield from _along(acting, f"a {key} on '{name}' acts along {{}}")
+        yield from _of_place(f"the load '{name}'", load)
 
 
 def _of_procedure(procedure: Mapping[str, Any]) -> Iterator[Reason]:

@@ -100,11 +100,37 @@ def with_equations(prescribed: PrescribedComponents, model: Model) -> Prescribed
     moved = np.zeros_like(prescribed.mask)
     for nodes, _, _ in prescribed.moving:
         moved[nodes] = prescribed.mask[nodes]
-    followed: dict[int, Row] = {}
-    for name, (nodes, vectors) in named:
-        _eliminate(followed, name, _rows(nodes, vectors, spread), candidates, moved.ravel())
+    followed = eliminated(named, spread, candidates, moved.ravel())
     prescribed.mask.ravel()[list(followed)] = True
     return replace(prescribed, ties=_joined(prescribed.ties, followed, size))
+
+
+def eliminated(
+    named: Iterable[tuple[str, Equations]],
+    spread: sp.csr_matrix,
+    candidates: NDArray[np.bool_],
+    moved: NDArray[np.bool_],
+) -> dict[int, Row]:
+    """Solve equations for one component each, which follows others that follow nothing.
+
+    Parameters
+    ----------
+    named : iterable of (str, (nodes, vectors))
+        Equations, and their names for messages.
+    spread : (m, n) sparse matrix
+        Displacements along x, y and z of all nodes from the components.
+    candidates, moved : (n,) bool arrays
+        Components that may follow, and those that a support moves.
+
+    Raises
+    ------
+    TurgorError
+        If no component of an equation may follow, and one is moved.
+    """
+    followed: dict[int, Row] = {}
+    for name, (nodes, vectors) in named:
+        _eliminate(followed, name, _rows(nodes, vectors, spread), candidates, moved)
+    return followed
 
 
 def _stated(support: Support, mesh: Mesh) -> Equations | None:

@@ -1,9 +1,15 @@
 """Linear equations in .inp files: those of a model, and one for each node that a support holds along a direction."""
 
 import numpy as np
+import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from turgor.core.engine.ties import Equations, eliminated
+from turgor.core.meshing.cells import TETRAHEDRON
+from turgor.core.meshing.middles import middles_of
 from turgor.core.model.model import Model
+from turgor.core.model.points import RIGID
+from turgor.foundation.errors import TurgorError
 
 #: Below this share of a direction a component of it is no term.
 NO_TERM = 1e-9
@@ -29,7 +35,8 @@ def equation_lines(model: Model) -> tuple[list[str], list[str]]:
         nodes, normals = support.normals(mesh) or (np.zeros(0, dtype=np.int64), np.zeros((0, 3)))
         for node, normal in zip(nodes.tolist(), normals, strict=True):
             directions.setdefault(node, []).append(np.where(fixed[node], 0.0, normal))
-    equations, rows = _stated_lines(model, fixed), list[str]()
+    rigid = [mesh.face_nodes(each.face) for each in model.points.values() if each.coupling == RIGID]
+    equations, rows = _stated_lines(model, fixed, np.concatenate([list(directions), *rigid]).astype(np.int64))
     for node in sorted(set(directions) & set(mesh.cells[:, :20].ravel().tolist())):  # no middles of sides in files
         for terms in _reduced(np.array(directions[node])):
             if len(terms) == 1:
@@ -40,26 +47,53 @@ def equation_lines(model: Model) -> tuple[list[str], list[str]]:
     return equations, rows
 
 
-def _stated_lines(model: Model, fixed: NDArray[np.bool_]) -> list[str]:
-    """Keywords and data of the `Equation` supports; what is fixed is zero and no term."""
-    written = np.zeros(len(fixed), dtype=bool)
-    written[model.mesh.cells[:, :20]] = True
-    lines, dependent = list[str](), set[tuple[int, int]]()
-    for nodes, vectors in (each for support in model.supports if (each := support.equations(model.mesh)) is not None):
-        for row, parts in zip(nodes, vectors, strict=True):
-            terms: dict[tuple[int, int], float] = {}
-            for node, vector in zip(row.tolist(), parts, strict=True):
-                for axis in np.flatnonzero(np.abs(vector) > NO_TERM).tolist():
-                    terms[node, axis] = terms.get((node, axis), 0.0) + float(vector[axis])
-            terms = {place: value for place, value in terms.items() if value and not fixed[place]}
-            first = next((place for place in terms if place not in dependent), None)
-            if not written[row].all() or first is None:  # middles of sides, and what follows from others
-                continue
-            dependent.add(first)
-            ordered = [first, *(place for place in terms if place != first)]
-            lines += ["*EQUATION", str(len(ordered))]
-            lines += [f"{node + 1}, {axis + 1}, {terms[node, axis]:.12g}" for node, axis in ordered]
-    return lines
+def _stated_lines(model: Model, fixed: NDArray[np.bool_], follow: NDArray[np.int64]) -> tuple[list[str], list[str]]:
+    """Keywords and data of the `Equation` supports, each solved for a component that no other has; what they fix."""
+    mesh = model.mesh
+    named = [(each.place, rows) for each in model.supports if (rows := each.equations(mesh)) is not None]
+    if not named:
+        return [], []
+    moved = np.zeros_like(fixed)
+    for support in model.supports:
+        if support.moves and support.place not in model.points and support.components(mesh):
+            moved[support.nodes(mesh)[:, None], support.components(mesh)] = True
+    moved &= fixed
+    free = ~fixed
+    free[follow] = False  # other equations, or rigid faces, have these first
+    spread = _spread(model) @ sp.diags((~fixed | moved).ravel().astype(float))
+    lines, rows = list[str](), list[str]()
+    for first, row in _solved(named, spread.tocsr(), free.ravel(), (~free & (~fixed | moved)).ravel()).items():
+        if not row:
+            rows.append(f"{first // 3 + 1}, {first % 3 + 1}")
+            continue
+        lines += ["*EQUATION", str(1 + len(row))]
+        terms = [(first, 1.0), *((place, -value) for place, value in row.items())]
+        lines += [f"{place // 3 + 1}, {place % 3 + 1}, {value:.12g}" for place, value in terms]
+    return lines, rows
+
+
+def _solved(
+    named: list[tuple[str, Equations]], spread: sp.csr_matrix, free: NDArray[np.bool_], bound: NDArray[np.bool_]
+) -> dict[int, dict[int, float]]:
+    try:
+        return eliminated(named, spread, free, bound)
+    except TurgorError as error:
+        name = str(error).partition(":")[0]
+        raise TurgorError(
+            f"{name} has no form in .inp files: all its displacements are moved, or those of rigid faces and of "
+            "supports along a direction; leave it out to compare the rest."
+        ) from None
+
+
+def _spread(model: Model) -> sp.csr_matrix:
+    """Displacements of all nodes from those in the file, where middles of sides and cells follow their shape."""
+    size, kept = 3 * len(model.mesh.points), np.ones(len(model.mesh.points))
+    if model.mesh.cell_type is TETRAHEDRON:
+        return sp.identity(size, format="csr")
+    middles = middles_of(model.mesh.cells)
+    kept[middles.followers] = 0.0
+    follow = sp.csr_matrix((middles.weights, (middles.followers, middles.leaders)), shape=(len(kept), len(kept)))
+    return sp.kron(follow + sp.diags(kept), sp.identity(3), format="csr")
 
 
 def _reduced(directions: NDArray[np.float64]) -> list[list[tuple[int, float]]]:

@@ -196,7 +196,8 @@ class InpDeck:
         """Rows of a force [N] on the whole, or per area [Pa] of a face, on the nodes of a face or place."""
         part = self.share
         if isinstance(place, NodesAt):
-            shares = node_shares(self.mesh, place.nodes(self.mesh), middles=False)
+            nodes = np.intersect1d(place.nodes(self.mesh), self.mesh.cells[:, :20])
+            shares = node_shares(self.mesh, nodes, middles=False)
         else:
             sides = self.mesh.face(place)
             shares = side_shares(self.mesh, sides, middles=False)

@@ -5,6 +5,8 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 
+import numpy as np
+
 from turgor.core.inp.account import InpNote, by_verdict
 from turgor.core.inp.cells import mesh_lines
 from turgor.core.inp.contact import RigidNode, contact_lines, rigid_rows
@@ -21,6 +23,7 @@ from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.material import Material
 from turgor.core.model.loads.load import DeckRows
 from turgor.core.model.model import Model
+from turgor.core.model.places import NodesAt
 from turgor.core.model.sheets import Sheet
 from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.static import Static
@@ -144,6 +147,10 @@ def _check_extras(model: Model, procedure: Procedure) -> None:
     what = [f"the bond '{bond.name}'" for bond in model.bonds]
     what += ["a film without a solid"] if not len(model.mesh.cells) else []
     what += ["a sector of a whole, whose cuts follow each other,"] if model.mesh.wedge is not None else []
+    faces = [getattr(each, "face", "") for each in (*model.supports, *model.loads)]
+    places = [(each.name, each.nodes(model.mesh)) for each in faces if isinstance(each, NodesAt)]
+    inside = [name for name, nodes in places if not np.isin(nodes, model.mesh.cells[:, :20]).any()]
+    what += [f"'{name}', a middle of a side or cell, which hexahedra of 20 nodes lack," for name in inside]
     if any(part.has_inertia for part in procedure.parts()):
         heavy = [each.name for each in model.points.values() if each.mass or any(each.inertia)]
         heavy += [load.place for load in model.loads if load.attached_mass]

@@ -167,7 +167,7 @@ class MeshFile:
         from turgor.core.meshing.exchange.splitting import as_tetrahedra
 
         raw, frame = read_in(Path(self.file), self.unit, self.axes)
-        raw, _ = as_tetrahedra(raw)
+        raw, _ = as_tetrahedra(raw, self.merge)
         wishes = Wishes(regions=self.regions, faces=self.faces, cavities=self.cavities, frame=frame, merge=self.merge)
         mesh = named_mesh(raw, wishes)
         finding = Finding(

@@ -126,7 +126,7 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
     _check_extent(raw, wishes.frame)
     done = []
     if needs_tetrahedra(raw):
-        raw, what = as_tetrahedra(raw)
+        raw, what = as_tetrahedra(raw, wishes.merge)
         done = [what]
     solids = read_solids(raw, wishes.frame, wishes.merge)
     solids.done[:0] = done

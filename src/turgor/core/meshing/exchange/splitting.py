@@ -37,17 +37,23 @@ EDGES: Mapping[str, tuple[tuple[int, int], ...]] = {
 
 @dataclass(slots=True, eq=False)
 class _Middles:
-    """Mid-side nodes of the tetrahedra by the ranks of the ends of their edges; the first one for an edge stays."""
+    """Mid-side nodes of the tetrahedra by the numbers of the ends of their edges; the first one for an edge stays."""
 
+    numbers: Ints
     keys: list[Ints]
     nodes: list[Ints]
     places: list[Array]
 
     def add(self, ends: Ints, places: Array, nodes: Ints | None = None) -> None:
         """Add the places (k, 3) of middles of edges with ends (k, 2), and their nodes where the file has them."""
-        self.keys.append(_edge_keys(ends))
+        self.keys.append(self.keys_of(ends))
         self.places.append(places)
         self.nodes.append(np.full(len(ends), -1) if nodes is None else nodes)
+
+    def keys_of(self, ends: Ints) -> Ints:
+        """A number for each edge with ends (k, 2), whatever its direction."""
+        low, high = np.sort(self.numbers[ends], axis=1).T
+        return np.asarray((low << 31) + high)
 
 
 def needs_tetrahedra(raw: RawMesh) -> bool:
@@ -62,12 +68,14 @@ def needs_tetrahedra(raw: RawMesh) -> bool:
     return bool((corners[:, 1:] == corners[:, :-1]).any())
 
 
-def as_tetrahedra(raw: RawMesh) -> tuple[RawMesh, str]:
+def as_tetrahedra(raw: RawMesh, merge: bool = True) -> tuple[RawMesh, str]:
     """Cut all solid cells of a file into tetrahedra, and its sides of four corners into triangles.
 
     Parameters
     ----------
     raw : RawMesh
+    merge : bool
+        Whether edges at the same place have one middle.
 
     Returns
     -------
@@ -77,7 +85,7 @@ def as_tetrahedra(raw: RawMesh) -> tuple[RawMesh, str]:
         What was done, one clause.
     """
     ranks, solids = _ranks(raw), raw.solids()
-    middles = _Middles([], [], [])
+    middles = _Middles(ranks if merge else np.arange(len(raw.points)), [], [], [])
     parts, groups, start = [], dict[str, list[Ints]](), 0
     for block in solids:
         tetrahedra, owner = _fans(block, ranks)
@@ -85,11 +93,11 @@ def as_tetrahedra(raw: RawMesh) -> tuple[RawMesh, str]:
             groups.setdefault(name, []).append(start + np.flatnonzero(np.isin(owner, rows)))
         parts.append(tetrahedra)
         start += len(tetrahedra)
-        _add_middles(middles, block, raw.points, ranks)
+        _add_middles(middles, block, raw.points)
     cells, curved = np.concatenate(parts), any(block.kind.nodes > block.kind.corners for block in solids)
     points = raw.points
     if curved:
-        cells, points = _with_middles(cells, points, ranks, middles)
+        cells, points = _with_middles(cells, points, middles)
     cut = Block(
         kind=KINDS["tetrahedron10" if curved else "tetrahedron4"],
         nodes=cells,
@@ -147,12 +155,12 @@ def _cut(sides: Ints, ranks: Ints) -> Sequence[Ints]:
     )
 
 
-def _add_middles(middles: _Middles, block: Block, points: Array, ranks: Ints) -> None:
+def _add_middles(middles: _Middles, block: Block, points: Array) -> None:
     """Add the mid-side nodes of a block of second order, and the middles of its sides and cells for new edges."""
     if block.kind.nodes == block.kind.corners:
         return
     edges, count = EDGES[_shape(block)], block.kind.corners
-    ends = ranks[block.nodes[:, :count]]
+    ends = block.nodes[:, :count]
     at = points[block.nodes]
     of_edge = {frozenset(edge): count + k for k, edge in enumerate(edges)}
     for edge, node in of_edge.items():
@@ -168,10 +176,10 @@ def _add_middles(middles: _Middles, block: Block, points: Array, ranks: Ints) ->
             middles.add(ends[:, list(diagonal)], center)
 
 
-def _with_middles(cells: Ints, points: Array, ranks: Ints, middles: _Middles) -> tuple[Ints, Array]:
+def _with_middles(cells: Ints, points: Array, middles: _Middles) -> tuple[Ints, Array]:
     """Tetrahedra of ten nodes: the middles that are known, others half way between the ends."""
     pairs = cells[:, np.array(EDGES["tetrahedron"])]
-    keys, first, place = np.unique(_edge_keys(ranks[pairs.reshape(-1, 2)]), return_index=True, return_inverse=True)
+    keys, first, place = np.unique(middles.keys_of(pairs.reshape(-1, 2)), return_index=True, return_inverse=True)
     places = points[pairs.reshape(-1, 2)[first]].mean(axis=1)
     nodes = np.full(len(keys), -1)
     known, there = np.unique(np.concatenate(middles.keys), return_index=True)
@@ -182,12 +190,6 @@ def _with_middles(cells: Ints, points: Array, ranks: Ints, middles: _Middles) ->
     new = nodes < 0
     nodes[new] = len(points) + np.arange(new.sum())
     return np.hstack([cells, nodes[place].reshape(pairs.shape[:2])]), np.vstack([points, places[new]])
-
-
-def _edge_keys(ends: Ints) -> Ints:
-    """A number for each edge with ends (k, 2), whatever its direction."""
-    low, high = np.sort(ends, axis=1).T
-    return np.asarray((low << 31) + high)
 
 
 def _triangles(block: Block, ranks: Ints) -> Block:

@@ -46,6 +46,21 @@ def folder(tmp_path_factory):
         ('[loads.tip]\nhangs = "5 g"', "y", "a weight on 'tip' acts along z"),
         ('point_forces = [{ at = [0, "8 mm", 0], force = ["1 N", 0, 0] }]', "", "loads.point_forces is not known"),
         ('[points.plate]\nface = "tip"\nforce = ["1 N", 0, 0]', "", "point 'plate'"),
+        ('[loads.tip]\ntraction = [0, "1 kPa", 0]', "z", "a traction on 'tip' acts along y"),
+        ('[loads.top]\nnear = ["30 mm", 0, "8 mm"]\nforce = ["1 N", 0, 0]', "", "the load 'top' acts on nodes by near"),
+        ('[supports]\nfixed = "xyz"\n[supports.pin]\nnear = ["30 mm", 0, "8 mm"]\ndirections = "z"', "", "'pin'"),
+        ('[supports]\nfixed = "xyz"\n[supports.tip]\ndirections = [0, 1, 1]', "", "acts along (0, 1, 1)"),
+        (
+            '[supports]\nfixed = "xyz"\n[supports.lever]\nterms = [{ place = "tip", direction = "x" }, '
+            '{ near = [0, 0, "8 mm"], direction = "x", factor = -0.5 }]',
+            "",
+            "the equation 'lever'",
+        ),
+        (
+            '[[stages]]\nname = "pull"\ndisplacements = { fixed = [0, "1 mm", 0] }',
+            "z",
+            "the face 'fixed' is moved along y",
+        ),
         ('[obstacles.floor]\nshape = "plane"\npoint = [0, 0, "-9 mm"]\nnormal = "+z"', "", "obstacle 'floor'"),
     ],
 )

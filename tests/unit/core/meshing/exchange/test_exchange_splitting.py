@@ -86,6 +86,21 @@ def test_kinds_of_two_orders_meet(tmp_path):
     assert len(mesh.cells) == 30
 
 
+@pytest.mark.parametrize(("merge", "shared"), [(False, 0), (True, 6)])
+def test_bodies_that_stay_apart_share_no_middles(tmp_path, merge, shared):
+    wedges, start = [], 0
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]], dtype=float)
+    points = np.vstack([corners, [corners[list(edge)].mean(axis=0) for edge in EDGES["wedge"]]])
+    for _ in range(2):  # one below the other, with nodes of its own
+        wedges.append((VTK["wedge"][1], start + np.arange(15)[None]))
+        start += 15
+    file = tmp_path / "two.vtk"
+    file.write_bytes(cases.vtk_legacy(np.vstack([points, points - [0, 0, 1]]), wedges))
+    mesh = read_mesh(file, unit="cm", merge=merge)
+    upper = mesh.points[mesh.cells].mean(axis=1)[:, 2] > 0
+    assert len(np.intersect1d(mesh.cells[upper], mesh.cells[~upper])) == shared
+
+
 def test_files_of_gmsh_with_wedges_and_pyramids_keep_names_and_volume():
     disk = read_mesh(DATA / "disk_wedges.msh")
     assert {name: len(disk.faces[name]) for name in ("fixed", "rim", "tip")} == {"fixed": 7, "rim": 14, "tip": 7}
