@@ -4,6 +4,7 @@ Numbers are in SI units; a text with a unit says the same. Where several things 
 """
 
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 from math import isfinite
 from numbers import Real
 from types import UnionType
@@ -160,3 +161,20 @@ def shown(value: object) -> str:
         return text if len(text) <= LONGEST_TEXT else f"{text[:LONGEST_TEXT]}…"
     kind = type(value).__name__
     return f"{'an' if kind[0] in 'AEIOU' else 'a'} {kind}"
+
+
+def checked_guides(through: Sequence[Quantities], subject: str) -> tuple[tuple[float, float, float], ...]:
+    """Return points in SI units that a cable runs through.
+
+    Raises
+    ------
+    TurgorError
+        If there are fewer than two, or two neighbors coincide.
+    """
+    points = tuple(vector(point, f"{subject}: point {i + 1} of through", "length") for i, point in enumerate(through))
+    if len(points) < 2:
+        raise TurgorError(f"{subject}: through has {len(points)} points; at least two are needed.")
+    for i, (one, two) in enumerate(pairwise(points)):
+        if np.allclose(one, two, rtol=0, atol=1e-9):
+            raise TurgorError(f"{subject}: points {i + 1} and {i + 2} of through coincide; leave one out.")
+    return points

@@ -17,5 +17,6 @@ if TYPE_CHECKING:
     from turgor.core.meshing.quality.cell_quality import MeshQuality as MeshQuality
     from turgor.core.meshing.quality.cell_quality import quality as quality
     from turgor.core.model.bonds import Bond as Bond
+    from turgor.core.model.embedded import EmbeddedThreads as EmbeddedThreads
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

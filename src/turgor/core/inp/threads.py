@@ -6,6 +6,7 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.cells.reference import tied
 from turgor.core.engine.fibers.fiber_trusses import FiberTrusses, discrete_threads
 from turgor.core.inp.context import Context, plain
 from turgor.core.inp.materials import material_lines
@@ -14,8 +15,8 @@ from turgor.units import N, mm
 
 Array = NDArray[np.float64]
 
-#: What the middle of a side of nine nodes is in one of eight: shares of its corners and of the middles of its edges.
-MIDDLE = (-0.25, -0.25, -0.25, -0.25, 0.5, 0.5, 0.5, 0.5)
+#: Nodes of the sides and cells in a file, for those that have middles.
+FEWER = {9: 8, 27: 20}
 
 #: Shape values below this are no terms of an equation.
 NO_TERM = 1e-9
@@ -39,8 +40,9 @@ def thread_lines(context: Context) -> list[str]:
             f"{node}, " + ", ".join(f"{value:.12g}" for value in point / mm)
             for node, point in zip(nodes.tolist(), points, strict=True)
         ]
-        for node, (sides, values) in zip(nodes.tolist(), shares, strict=True):
-            lines += _tie(node, sides, values)
+        if not (fibers.embedded and context.for_abaqus):
+            for node, (sides, values) in zip(nodes.tolist(), shares, strict=True):
+                lines += _tie(node, sides, values)
         ends = _ends(trusses, nodes)
         lines += _springs(context, label, fibers, trusses, ends) if not context.for_abaqus else _trusses(
             context, label, fibers, ends
@@ -70,9 +72,9 @@ def _ends(trusses: FiberTrusses, nodes: NDArray[np.int64]) -> list[tuple[int, in
 
 
 def _tie(node: int, sides: Array, values: Array) -> list[str]:
-    """Equations by which a node follows a side of eight nodes or six."""
-    if len(values) == 9:
-        values = values[:8] + values[8] * np.array(MIDDLE)
+    """Equations by which a node follows a side or a cell of a file."""
+    if len(values) in FEWER:
+        values = values @ tied(FEWER[len(values)])
     terms = [(int(n) + 1, float(v)) for n, v in zip(sides, values, strict=False) if abs(v) > NO_TERM]
     lines = []
     for axis in (1, 2, 3):
@@ -93,6 +95,7 @@ def _trusses(context: Context, label: str, fibers: Fibers, ends: list[tuple[int,
         lines += [*material_lines(name, fibers.material, context.program), *(["*NO COMPRESSION"] if kind else [])]
         area = share * pi * fibers.diameter**2 / 4
         lines += [f"*SOLID SECTION, ELSET={name}, MATERIAL={name}", f"{area / mm**2:.12g}"]
+        lines += ["*EMBEDDED ELEMENT", name] if fibers.embedded else []
     return lines
 
 
@@ -119,9 +122,10 @@ def _springs(
 def _account(context: Context, fibers: Fibers, trusses: FiberTrusses) -> None:
     what = f"fibers.{fibers.name}"
     kind = "trusses T3D2" if context.for_abaqus else "springs SPRINGA"
+    where = "cells around them" if fibers.embedded else "sides of cells"
     form = "" if fibers.form == DISCRETE else " one by one, which turgor spreads over the face"
     context.approximated(
-        what, f"{trusses.count} threads{form}, {len(trusses.thread)} straight {kind} that follow the sides of cells"
+        what, f"{trusses.count} threads{form}, {len(trusses.thread)} straight {kind} that follow the {where}"
     )
     if fibers.bending:
         context.left_out(what, "the stiffness of the threads against bending")

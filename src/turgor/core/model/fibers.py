@@ -1,4 +1,4 @@
-"""Fibers: threads wound on a face of the body, and how they run."""
+"""Fibers: threads wound on a face of the body or embedded in it, and how they run."""
 
 from dataclasses import dataclass
 from math import inf, isfinite, nan, pi
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from turgor.core.geometry.directions import normalized
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.material import Material
+from turgor.core.model.embedded import EmbeddedThreads
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.units import deg, mm
 
@@ -100,17 +101,18 @@ angle_from_circumference, turns, pitch.
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fibers:
-    """Threads on a face of the body.
+    """Threads on a face of the body, or inside it.
 
     Parameters
     ----------
     face : str or tuple of str
         Face that they are wound on, such as ``"outside"`` or ``"winding"``; several that go around together.
+        Embedded threads have none.
     material : Material
         What they are made of; its law must be `Hooke`, of which the modulus counts.
     diameter : float [m]
         Diameter of a thread.
-    winding : Winding
+    winding : Winding or EmbeddedThreads
         How they run.
     form : str
         ``"smeared"``: their stiffness is spread over the face. ``"discrete"``: every thread is a chain of trusses
@@ -127,7 +129,7 @@ class Fibers:
         Lowest and highest corner of a box that threads do not leave, for windings that differ from side to side;
         corners may be infinite.
     name : str
-        By which states before loading, such as a `PreStretch`, name the winding; by default its face.
+        By which states before loading, such as a `PreStretch`, name the winding; by default its face, or ``"threads"``.
 
     Raises
     ------
@@ -135,10 +137,10 @@ class Fibers:
         If a value cannot be.
     """
 
-    face: str | tuple[str, ...]
+    face: str | tuple[str, ...] = ()
     material: Material
     diameter: float
-    winding: Winding
+    winding: Winding | EmbeddedThreads
     form: str = SMEARED
     compression: float = 0.0
     bending: bool = False
@@ -147,18 +149,20 @@ class Fibers:
     name: str = ""
 
     def __post_init__(self) -> None:
+        if not isinstance(self.winding, Winding | EmbeddedThreads):
+            raise TurgorError(
+                f"fibers on '{self.face}': winding is {self.winding!r}; a Winding is needed, or EmbeddedThreads."
+            )
         self._check_faces()
         if not isinstance(self.name, str):
             raise TurgorError(f"fibers on '{self.place}': name is {self.name!r}; a text is needed, such as 'hoops'.")
-        object.__setattr__(self, "name", self.name or self.place)
+        object.__setattr__(self, "name", self.name or self.place or "threads")
         law = getattr(self.material, "law", None)
         if not isinstance(self.material, Material) or type(law) is not Hooke:
             raise TurgorError(
                 f"fibers on '{self.place}': the law of '{getattr(self.material, 'name', self.material)}' is "
                 f"{type(law).__name__}; fibers need a material with the law Hooke, of which Young's modulus counts."
             )
-        if not isinstance(self.winding, Winding):
-            raise TurgorError(f"fibers on '{self.place}': winding is {self.winding!r}; a Winding is needed.")
         if self.form not in (SMEARED, DISCRETE):
             raise unknown("form of fibers", str(self.form), (SMEARED, DISCRETE))
         self._check_numbers()
@@ -173,6 +177,9 @@ class Fibers:
                 )
 
     def _check_faces(self) -> None:
+        if isinstance(self.winding, EmbeddedThreads):
+            self._check_embedded()
+            return
         faces = (self.face,) if isinstance(self.face, str) else self.face
         if not isinstance(faces, tuple | list) or not faces or not all(isinstance(f, str) and f for f in faces):
             raise TurgorError(
@@ -182,10 +189,18 @@ class Fibers:
         if twice:
             raise TurgorError(f"fiber face is {self.face!r}; '{twice[0]}' stands there twice: name each face once.")
 
+    def _check_embedded(self) -> None:
+        """Refuse what only threads on a face have."""
+        if self.face:
+            raise TurgorError(f"fiber face is {self.face!r}, but embedded threads run through points; leave it out.")
+        if self.form != DISCRETE or self.within is not None:
+            what = "a box within" if self.form == DISCRETE else f"the form '{self.form}'"
+            raise TurgorError(f"embedded threads have {what}; their form is '{DISCRETE}', and they have no box.")
+
     def _check_numbers(self) -> None:
         if not 0 < _number("fiber diameter", self.diameter, "0.2*mm") <= 10 * mm:
             raise TurgorError(f"fiber diameter is {self.diameter / mm:g} mm; allowed is more than 0 up to 10 mm.")
-        pitch = self.winding.pitch
+        pitch = self.winding.pitch if isinstance(self.winding, Winding) else None
         if pitch is not None and pitch < self.diameter:
             raise TurgorError(
                 f"fiber pitch is {pitch / mm:.4g} mm, less than the diameter of {self.diameter / mm:.4g} mm; turns "
@@ -206,8 +221,26 @@ class Fibers:
 
     @property
     def place(self) -> str:
-        """The faces, as messages name them."""
-        return " and ".join(self.faces)
+        """The faces, as messages name them; of embedded threads their name."""
+        return " and ".join(self.faces) or self.name
+
+    @property
+    def wound(self) -> Winding:
+        """How they are wound on their face.
+
+        Raises
+        ------
+        TurgorError
+            If they are embedded.
+        """
+        if not isinstance(self.winding, Winding):
+            raise TurgorError(f"fibers '{self.name}' run through points; a Winding on a face is needed here.")
+        return self.winding
+
+    @property
+    def embedded(self) -> bool:
+        """Whether they run inside the body instead of on a face."""
+        return isinstance(self.winding, EmbeddedThreads)
 
     @property
     def box(self) -> str:

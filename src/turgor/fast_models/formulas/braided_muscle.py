@@ -222,8 +222,8 @@ def _pull(wall: WoundWall, x: Array) -> tuple[Array, Array]:
 
 def _angle(actuator: ContractingTube, fibers: Fibers) -> float:
     angle, _ = angle_and_spacing(fibers, actuator.outer_radius, actuator.length - 2 * actuator.cap)
-    if fibers.winding.hand != "both":
-        raise TurgorError(f"hand of the winding is '{fibers.winding.hand}'; a braid has hand = 'both'.")
+    if fibers.wound.hand != "both":
+        raise TurgorError(f"hand of the winding is '{fibers.wound.hand}'; a braid has hand = 'both'.")
     if not ALONG < angle < np.pi / 2 - ALONG:
         raise TurgorError(f"the threads run at {angle / deg:g} deg from the axis; a braid lies between 0 and 90 deg.")
     return angle

@@ -154,7 +154,7 @@ def wound_wall(
 
 def angle_and_spacing(fibers: Fibers, radius: float, length: float) -> tuple[float, float]:
     """Angle from the axis [rad] and distance between neighbors [m] of threads around a cylinder."""
-    winding = fibers.winding
+    winding = fibers.wound
     if winding.angle_from_axis is not None:
         angle = winding.angle_from_axis
     elif winding.angle_from_circumference is not None:
@@ -177,7 +177,7 @@ def _families(windings: Sequence[Fibers], radius: float, length: float, *, rigid
         angle, spacing = angle_and_spacing(fibers, radius, length)
         stiffness = inf if rigid else fibers.stretching_stiffness / spacing
         turned = ALONG < angle < pi / 2 - ALONG
-        hand = {"right": 1.0, "left": -1.0, "both": 0.0}[fibers.winding.hand] if turned else 0.0
+        hand = {"right": 1.0, "left": -1.0, "both": 0.0}[fibers.wound.hand] if turned else 0.0
         single = single or hand != 0
         double = 2 if turned and hand == 0 else 1
         families.append(Family(angle, stiffness * double, hand, fibers.compression))

@@ -27,8 +27,10 @@ from turgor.job.decks.parts import entries_of, plane_table, stays_apart, ties_of
 from turgor.job.decks.steps import Path as DeckPath
 from turgor.job.decks.steps import path_of
 from turgor.job.decks.supports import supports_of
+from turgor.job.decks.threads import threads_of
 from turgor.job.decks.units import USUAL, DeckUnits
 from turgor.job.output.lock import material_table
+from turgor.job.tables.fibers import fibers_tables
 from turgor.job.tables.loads import loads_table
 from turgor.job.tables.supports import supports_table
 from turgor.units import format_quantity
@@ -136,6 +138,7 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
         )
     names = MeshNames(deck)
     materials = materials_of(deck.model, scale, account, heated=is_heated(deck))
+    threads = threads_of(names, materials, scale, account)
     entries = entries_of(deck, materials, names, scale, account)
     way = path_of(deck, initial_of(deck, account), account)
     axes, (contact, rigid) = axes_of(deck, deck.model, account), contact_of(deck, scale, account)
@@ -160,6 +163,7 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
         "name": file.stem,
         "mesh": {"file": f"{file.stem}-mesh.inp", "unit": scale.word, **apart, **plane_table(deck, scale, account)},
         "materials": {name: material_table(entry) for name, entry in entries.items()},
+        "fibers": fibers_tables(threads),
         "supports": supports_table(supports),
         "points": points,
         "loads": loads_table(loads),

@@ -205,7 +205,7 @@ def _refused(draft: _Draft, keyword: Keyword, units: DeckUnits) -> None:
 def _meaning(draft: _Draft, keyword: Keyword) -> str:
     law = draft.fields.get("law")
     if keyword.name == "elastic":
-        return "Hooke on sheets; in bodies the neo-Hookean law of the same moduli, which is alike at small strains"
+        return "Hooke on sheets and threads; in bodies the neo-Hookean law of the same moduli, alike at small strains"
     if keyword.name in ("hyperelastic", "hyperfoam"):
         volume = ", the volume stays" if draft.fields.get("bulk_modulus") == inf else ""
         return f"{type(law).__name__}{volume}"

@@ -44,7 +44,7 @@ def entries_of(
     entries: Entries = {}
     covered = np.zeros(0, dtype=np.int64)
     for keyword in deck.model:
-        if not keyword.name.endswith("section"):
+        if not keyword.name.endswith("section") or account.has(keyword):
             continue
         try:
             cells, material = _section(deck, keyword, materials)
@@ -58,7 +58,7 @@ def entries_of(
                 account.taken(keyword, f"body '{name}' of {len(cells)} cells")
             else:
                 name = _sheet(keyword, cells, material, names, entries, units)
-                slack, sheet = _slack(deck, keyword.given["material"]), entries[name]
+                slack, sheet = no_compression(deck, keyword.given["material"]), entries[name]
                 if slack is not None and isinstance(sheet, Sheet):
                     entries[name] = replace(sheet, compression=0.0)
                     account.taken(slack, "sheets that bear tension only")
@@ -106,8 +106,8 @@ def _sheet(
     return name
 
 
-def _slack(deck: Deck, material: str) -> Keyword | None:
-    """The ``*NO COMPRESSION`` of a material; None where it bears compression."""
+def no_compression(deck: Deck, material: str) -> Keyword | None:
+    """Return the ``*NO COMPRESSION`` of a material; None where it bears compression."""
     name = ""
     for keyword in deck.model:
         name = keyword.given.get("name", "").lower() if keyword.name == "material" else name
@@ -122,7 +122,7 @@ def _check_cells(deck: Deck, covered: np.ndarray, account: Account) -> None:
         keyword = next(each for each in deck.model if each.name == "solid section")
         account.missing(keyword, "sections overlap: a cell has two materials.")
     for keyword in deck.model:
-        if keyword.name != "element":
+        if keyword.name != "element" or account.has(keyword):
             continue
         kind = keyword.given.get("type", "").upper()
         if deck.plane:

@@ -14,7 +14,8 @@ from turgor.core.materials.failure_tables import failure_tables
 from turgor.core.materials.laws.laws import Hooke
 from turgor.core.materials.library.records import find_record
 from turgor.core.materials.material import Material
-from turgor.core.model.fibers import Fibers, Winding
+from turgor.core.model.embedded import EmbeddedThreads
+from turgor.core.model.fibers import DISCRETE, SMEARED, Fibers, Winding
 from turgor.foundation.errors import TurgorError, unknown
 from turgor.foundation.source import Source
 from turgor.job.tables.material_tables import SourceTable, Strengths
@@ -24,6 +25,7 @@ from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import (
     Angle,
+    Coordinate,
     Density,
     Expansion,
     Length,
@@ -58,7 +60,10 @@ class FibersTable(Table):
     Keys
     ----
     face : str or list of str
-        Face that the threads are wound on; several that go around together.
+        Face that the threads are wound on; several that go around together. Or state ``through``.
+    through : list of lists of points [m]
+        Points of each thread inside the body, which runs straight from one to the next; instead of ``face`` and the
+        keys of a winding. Their form is ``"discrete"``.
     library : str
         Material of the threads from the library; or state ``E``.
     record : str, optional
@@ -86,7 +91,10 @@ class FibersTable(Table):
         Planes that threads do not cross.
     """
 
-    face: str | list[str]
+    face: str | list[str] | None = None
+    through: list[list[list[Coordinate]]] | None = Field(
+        default=None, examples=['[[["0 mm", 0, "4 mm"], ["60 mm", 0, "4 mm"]]]']
+    )
     library: str | None = Field(default=None, examples=['"kevlar-fiber"'])
     record: str | None = Field(default=None, examples=['"hooke-connolly-2015"'])
     name: str | None = Field(default=None, examples=['"thread"'])
@@ -106,7 +114,7 @@ class FibersTable(Table):
     starts: int | None = None
     hand: str = "right"
     axis: Annotated[str, AfterValidator(_axis)] = "x"
-    form: str = "smeared"
+    form: str | None = None
     compression: float = 0.0
     bending: bool = False
     within: BoxTable | None = Field(default=None, examples=['{ x_from = "5 mm", x_to = "95 mm" }'])
@@ -138,7 +146,7 @@ def _read_winding(values: Any, key: Key, geometry: Geometry | None, problems: Pr
     if table is None or not _faces_are_there(table, key, geometry, problems):
         return None
     material = _material(table, key, problems)
-    winding = problems.attempt(key, partial(_winding, table), fields=_WINDING)
+    winding = problems.attempt(key, partial(_winding, table), fields=(*_WINDING, "through"))
     diameter = None if material is None else _diameter(table, key, problems)
     _check_turns(table, key, geometry, problems)
     if material is None or winding is None or diameter is None:
@@ -148,6 +156,11 @@ def _read_winding(values: Any, key: Key, geometry: Geometry | None, problems: Pr
 
 
 def _faces_are_there(table: FibersTable, key: Key, geometry: Geometry | None, problems: Problems) -> bool:
+    if (table.face is None) == (table.through is None):
+        problems.add(key, "the threads need one of: face, that they are wound on, or through, points inside the body.")
+        return False
+    if table.face is None:
+        return True
     faces = [table.face] if isinstance(table.face, str) else table.face
     if not faces:
         problems.add((*key, "face"), "the list is empty; name the face that the threads are wound on.")
@@ -193,7 +206,12 @@ def _material(table: FibersTable, key: Key, problems: Problems) -> Material | No
     return problems.attempt(key, make, fields=("E", "nu", "density"))
 
 
-def _winding(table: FibersTable) -> Winding:
+def _winding(table: FibersTable) -> Winding | EmbeddedThreads:
+    if table.through is not None:
+        wrong = sorted(table.model_fields_set & {*_WINDING, "axis"})
+        if wrong:
+            raise TurgorError(f"{wrong[0]} is a key of threads on a face; those with through have none.")
+        return EmbeddedThreads(through=table.through)
     stated = {name: getattr(table, name) for name in _WINDING}
     return Winding(**stated, axis=AXES[table.axis])
 
@@ -203,7 +221,7 @@ def _check_turns(table: FibersTable, key: Key, geometry: Geometry | None, proble
     mirrors = [] if geometry is None else [face for face in geometry.faces if face.startswith("symmetry_")]
     angle = table.angle_from_axis if table.angle_from_axis is not None else table.angle_from_circumference
     straight = angle is not None and not 1e-9 < angle < pi / 2 - 1e-9
-    if not mirrors or table.hand not in ("right", "left") or straight:
+    if not mirrors or table.through is not None or table.hand not in ("right", "left") or straight:
         return
     problems.add(
         (*key, "hand"),
@@ -225,14 +243,16 @@ def _diameter(table: FibersTable, key: Key, problems: Problems) -> float | None:
     return None
 
 
-def _fibers(table: FibersTable, name: str, material: Material, diameter: float, winding: Winding) -> Fibers:
+def _fibers(
+    table: FibersTable, name: str, material: Material, diameter: float, winding: Winding | EmbeddedThreads
+) -> Fibers:
     box = table.within
     return Fibers(
-        face=table.face if isinstance(table.face, str) else tuple(table.face),
+        face=table.face if isinstance(table.face, str) else tuple(table.face or ()),
         material=material,
         diameter=diameter,
         winding=winding,
-        form=table.form,
+        form=table.form or (SMEARED if table.through is None else DISCRETE),
         compression=table.compression,
         bending=table.bending,
         within=None if box is None else box.corners,
@@ -241,22 +261,12 @@ def _fibers(table: FibersTable, name: str, material: Material, diameter: float, 
 
 
 def fibers_tables(fibers: Mapping[str, Fibers]) -> dict[str, Any]:
-    """Write windings as tables of a job file; `read_fibers` gives the same windings back.
-
-    Parameters
-    ----------
-    fibers : mapping of str to Fibers
-
-    Returns
-    -------
-    dict
-    """
+    """Write windings as tables of a job file; `read_fibers` gives the same windings back."""
     return {name: _table(each) for name, each in fibers.items()}
 
 
 def _table(fibers: Fibers) -> dict[str, Any]:
-    winding = fibers.winding
-    values: dict[str, Any] = {"face": fibers.face if isinstance(fibers.face, str) else list(fibers.face)}
+    values = _course_table(fibers)
     material, law, source = fibers.material, fibers.material.law, fibers.material.source
     assert isinstance(law, Hooke)
     values |= {"name": material.name, "E": format_quantity(law.E, "GPa"), "nu": law.nu}
@@ -267,6 +277,19 @@ def _table(fibers: Fibers) -> dict[str, Any]:
     values["source"] = {"text": source.text, "detail": source.detail, "doubts": list(source.doubts)}
     values |= failure_tables(material)
     values["diameter"] = format_quantity(fibers.diameter, "mm")
+    values |= {"form": fibers.form, "compression": fibers.compression, "bending": fibers.bending}
+    if fibers.within is not None:
+        values["within"] = box_table(fibers.within)
+    return values
+
+
+def _course_table(fibers: Fibers) -> dict[str, Any]:
+    """Keys of how threads run: on which face and how, or through which points."""
+    winding = fibers.winding
+    if isinstance(winding, EmbeddedThreads):
+        points = [[[format_quantity(x, "mm") for x in point] for point in thread] for thread in winding.through]
+        return {"through": points}
+    values: dict[str, Any] = {"face": fibers.face if isinstance(fibers.face, str) else list(fibers.face)}
     for name, unit in _WINDING.items():
         value = getattr(winding, name)
         if value is not None:
@@ -274,7 +297,4 @@ def _table(fibers: Fibers) -> dict[str, Any]:
     names = [name for name, axis in AXES.items() if axis == tuple(winding.axis)]
     if not names:
         raise TurgorError(f"the axis {winding.axis} of a winding has no form in a job file; wind around x, y or z.")
-    values |= {"axis": names[0], "form": fibers.form, "compression": fibers.compression, "bending": fibers.bending}
-    if fibers.within is not None:
-        values["within"] = box_table(fibers.within)
-    return values
+    return {**values, "axis": names[0]}

@@ -12,6 +12,7 @@ from turgor.core.materials.library.record_history import describe_history
 from turgor.core.materials.material import Material
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.cell_quality import MeshQuality
+from turgor.core.model.embedded import EmbeddedThreads
 from turgor.core.model.fibers import Fibers
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles.obstacle import friction_text
@@ -105,9 +106,27 @@ def materials(model: Model) -> list[MaterialText]:
 
 def _fibers(fibers: Fibers) -> MaterialText:
     """Threads: their modulus, diameter and how they are wound."""
-    winding, law = fibers.winding, fibers.material.law
+    law = fibers.material.law
     values: Rows = [("coefficients", ", ".join(f"{name} = {value}" for name, value in coefficients(law)))]
     values.append(("diameter", f"{fibers.diameter / mm:.4g} mm"))
+    values += _course(fibers)
+    if fibers.compression:
+        values.append(("in compression", f"{100 * fibers.compression:g} % of the stiffness"))
+    if fibers.bending:
+        values.append(("bending", "resisted"))
+    where = f"{fibers.place.replace('_', ' ')} ({'embedded' if fibers.embedded else fibers.form} fibers)"
+    source = fibers.material.source
+    return MaterialText(
+        where, fibers.material.name, "Threads, stiff along themselves.", values, str(source), source.doubts
+    )
+
+
+def _course(fibers: Fibers) -> Rows:
+    """How threads run."""
+    if isinstance(fibers.winding, EmbeddedThreads):
+        return [("threads", str(len(fibers.winding.through)))]
+    winding = fibers.winding
+    values: Rows = []
     units = {"angle_from_axis": deg, "angle_from_circumference": deg, "pitch": mm, "spacing": mm}
     for name in ("angle_from_axis", "angle_from_circumference", "turns", "pitch", "spacing", "starts"):
         value = getattr(winding, name)
@@ -116,16 +135,7 @@ def _fibers(fibers: Fibers) -> MaterialText:
             values.append((name.replace("_", " "), f"{value / units.get(name, 1.0):.4g}{unit}"))
     hand = "both hands" if winding.hand == "both" else f"{winding.hand}-handed"
     straight = winding.angle_from_axis == 0 or winding.angle_from_circumference == 0
-    values += [] if straight else [("helix", hand)]
-    if fibers.compression:
-        values.append(("in compression", f"{100 * fibers.compression:g} % of the stiffness"))
-    if fibers.bending:
-        values.append(("bending", "resisted"))
-    where = f"{fibers.place.replace('_', ' ')} ({fibers.form} fibers)"
-    source = fibers.material.source
-    return MaterialText(
-        where, fibers.material.name, "Threads, stiff along themselves.", values, str(source), source.doubts
-    )
+    return values if straight else [*values, ("helix", hand)]
 
 
 def material(names: list[str], used: Material | Sheet) -> MaterialText:

@@ -84,7 +84,7 @@ _BASIX = {
 _SERENDIPITY = {8: 9, 20: 27}
 
 
-def _tied(nodes: int) -> Array:
+def tied(nodes: int) -> Array:
     """Values at all nodes of the fuller cell from those of the serendipity cell, (full, nodes)."""
     full = _kind(_SERENDIPITY[nodes])
     out = np.zeros((full.nodes, nodes))
@@ -112,7 +112,7 @@ def tables_at(nodes: int, points: Array, weights: Array) -> ReferenceCell:
     """Tabulate a cell or side with that many nodes at given reference points."""
     N, dN = _tabulate(_SERENDIPITY.get(nodes, nodes), 2, points)
     if nodes in _SERENDIPITY:
-        tie = _tied(nodes)
+        tie = tied(nodes)
         N, dN = N @ tie, np.ascontiguousarray(np.einsum("qad,ab->qbd", dN, tie))
     M, _ = _tabulate(_SERENDIPITY.get(nodes, nodes), 1, points)
     return ReferenceCell(points, weights, N, dN, M)

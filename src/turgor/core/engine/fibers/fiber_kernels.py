@@ -22,12 +22,12 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Pieces:
-    """Pieces of fibers, each tied to one side of a cell.
+    """Pieces of fibers, each tied to one side of a cell, or to one cell.
 
     Parameters
     ----------
     sides : (k, n) int array
-        Nodes of the side that carries each piece.
+        Nodes of the side, or of the cell, that carries each piece.
     along : (k, n) array
         gₐ: tangent per reference length from the positions of the nodes.
     weights : (k,) array
@@ -39,7 +39,8 @@ class Pieces:
     middle : (k, n) array
         Shape values of the nodes at the middle of each piece.
     hand : (k,) int array
-        Family that each piece belongs to: threads of one hand are 0, those of the other 1.
+        Family that each piece belongs to: threads of one hand are 0, those of the other 1; of embedded threads each
+        is a family of its own.
     """
 
     sides: Ints

@@ -12,16 +12,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.fibers.cutting import Cuts, cut
+from turgor.core.engine.fibers.embedded import embedded_pieces
 from turgor.core.engine.fibers.fiber_kernels import Pieces
 from turgor.core.engine.fibers.lines import Lines, thread_lines
 from turgor.core.engine.fibers.settings import FIBERS
 from turgor.core.engine.fibers.smeared import course_of, smeared_pieces, unit_axis, wound_sides
 from turgor.core.engine.fibers.surface_unrolling import UnrolledSurface, shape_values, unroll
 from turgor.core.meshing.mesh import Mesh
+from turgor.core.model.embedded import EmbeddedThreads
 from turgor.core.model.fibers import DISCRETE, Fibers
 from turgor.foundation.display import brief
 from turgor.foundation.errors import TurgorError
-from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -36,7 +38,7 @@ class FiberTrusses:
     pieces : Pieces
         The trusses, thread after thread.
     begin, end : (k, n) arrays
-        Shape values of the sides' nodes at the two ends of each truss.
+        Shape values of the nodes of the sides, or of the cells, at the two ends of each truss.
     thread : (k,) int array
         Thread that each truss belongs to; a thread that leaves the face and comes back counts as two.
     """
@@ -70,7 +72,7 @@ class FiberTrusses:
 
 
 def discrete_threads(mesh: Mesh, fibers: Fibers) -> FiberTrusses:
-    """Lay the threads of a winding on their face and cut them into trusses.
+    """Lay the threads of a winding on their face, or inside the body, and cut them into trusses.
 
     Parameters
     ----------
@@ -82,11 +84,13 @@ def discrete_threads(mesh: Mesh, fibers: Fibers) -> FiberTrusses:
     TurgorError
         If the winding does not fit the face, or no thread lies on it.
     """
+    if isinstance(fibers.winding, EmbeddedThreads):
+        return FiberTrusses(*embedded_pieces(mesh, fibers, fibers.winding))
     course = course_of(mesh, fibers)
-    axis = unit_axis(fibers.winding)
+    axis = unit_axis(fibers.wound)
     face = unroll(mesh.points, wound_sides(mesh, fibers), axis, fibers.place)
     lines = thread_lines(course, face, fibers)
-    cuts = _parted(face, lines, _cut(face, lines, _Where(mesh, face, fibers)))
+    cuts = _parted(face, lines, cut(lines, face.fineness, _Where(mesh, face, fibers)))
     if not len(cuts.side):
         raise TurgorError(f"fibers on '{fibers.place}': no thread lies on this face{fibers.box}.")
     return _trusses(mesh, face, fibers, lines, cuts)
@@ -114,49 +118,7 @@ class _Where:
         return np.where(self.fibers.holds(at), side, -1)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Cuts:
-    """Parts of lines, each in one side: line, where it begins and ends along it, side; sorted."""
-
-    line: Ints
-    begin: Array
-    end: Array
-    side: Ints
-
-
-def _cut(face: UnrolledSurface, lines: Lines, where: _Where) -> _Cuts:
-    """Cut lines where they pass from side to side: coarse look-up first, then halving."""
-    parts = np.maximum(2, np.ceil(FIBERS.trusses_of_side * lines.length / face.fineness).astype(np.int64))
-    line = np.repeat(np.arange(len(parts)), parts + 1)
-    number = np.arange(len(line)) - np.repeat(np.cumsum(parts + 1) - parts - 1, parts + 1)
-    t = number / parts[line] * lines.length[line]
-    side = where.sides(lines.at(line, t))
-    differ = np.flatnonzero((line[1:] == line[:-1]) & (side[1:] != side[:-1]))
-    at, low, high = line[differ], t[differ], t[differ + 1]
-    before, after = side[differ], side[differ + 1]
-    while (high - low).max(initial=0.0) > ROUND_OFF.mesh_digits * face.fineness:
-        middle = (low + high) / 2
-        between = where.sides(lines.at(at, middle))
-        left, right = before != between, between != after
-        at = np.concatenate([at[left], at[right]])
-        low, high = np.concatenate([low[left], middle[right]]), np.concatenate([middle[left], high[right]])
-        before, after = (
-            np.concatenate([before[left], between[right]]),
-            np.concatenate([between[left], after[right]]),
-        )
-    first = number == 0
-    line = np.concatenate([line[first], at])
-    begin = np.concatenate([t[first], (low + high) / 2])
-    side = np.concatenate([side[first], after])
-    order = np.lexsort((begin, line))
-    line, begin, side = line[order], begin[order], side[order]
-    last = np.append(line[1:] != line[:-1], True)
-    end = np.where(last, lines.length[line], np.append(begin[1:], 0.0))
-    long = (side >= 0) & (end - begin > FIBERS.shortest_truss * face.fineness)
-    return _Cuts(line[long], begin[long], end[long], side[long])
-
-
-def _parted(face: UnrolledSurface, lines: Lines, cuts: _Cuts) -> _Cuts:
+def _parted(face: UnrolledSurface, lines: Lines, cuts: Cuts) -> Cuts:
     """Cut each part in equal shares, as many as its share of a whole crossing of its side needs."""
     extent = np.ptp(face.flat, axis=1)[cuts.side]
     crossing = (extent / np.maximum(np.abs(lines.direction[cuts.line]), 1e-12)).min(axis=1)
@@ -165,10 +127,10 @@ def _parted(face: UnrolledSurface, lines: Lines, cuts: _Cuts) -> _Cuts:
     number = np.arange(len(old)) - np.repeat(np.cumsum(parts) - parts, parts)
     step = ((cuts.end - cuts.begin) / parts)[old]
     begin = cuts.begin[old] + number * step
-    return _Cuts(cuts.line[old], begin, begin + step, cuts.side[old])
+    return Cuts(cuts.line[old], begin, begin + step, cuts.side[old])
 
 
-def _trusses(mesh: Mesh, face: UnrolledSurface, fibers: Fibers, lines: Lines, cuts: _Cuts) -> FiberTrusses:
+def _trusses(mesh: Mesh, face: UnrolledSurface, fibers: Fibers, lines: Lines, cuts: Cuts) -> FiberTrusses:
     sides = face.sides[cuts.side]
     middle = lines.at(cuts.line, (cuts.begin + cuts.end) / 2)  # its ends must not be folded apart
     half = (cuts.end - cuts.begin)[:, None] / 2 * lines.direction[cuts.line]

@@ -1,7 +1,7 @@
 """Lines: where the threads of a winding run on their unrolled face."""
 
 from dataclasses import dataclass
-from math import cos, pi, sin
+from math import cos, isfinite, pi, sin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,18 +19,19 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Lines:
-    """Straight lines on the unrolled face.
+    """Straight lines on the unrolled face, or in space.
 
     Parameters
     ----------
-    begin : (k, 2) array [m]
-        Contour length and axial coordinate of their first points.
-    direction : (k, 2) array
+    begin : (k, 2) or (k, 3) array [m]
+        Contour length and axial coordinate of their first points; of lines in space the points.
+    direction : (k, 2) or (k, 3) array
         Unit vectors.
     length : (k,) array [m]
         Lengths.
     fold : float [m]
         Contour length after which the whole winding repeats; beyond the modeled part there is no face.
+        Infinite for lines in space.
     """
 
     begin: Array
@@ -39,9 +40,10 @@ class Lines:
     fold: float
 
     def at(self, line: Ints, t: Array) -> Array:
-        """Points (m, 2) at lengths (m,) along lines (m,)."""
+        """Points (m, 2) or (m, 3) at lengths (m,) along lines (m,)."""
         points = self.begin[line] + t[:, None] * self.direction[line]
-        points[:, 0] %= self.fold
+        if isfinite(self.fold):
+            points[:, 0] %= self.fold
         return np.asarray(points)
 
 
@@ -89,9 +91,9 @@ def _nearest(course: Course) -> int:
 def _starts(course: Course, fibers: Fibers, around: float) -> int:
     """Number of threads of one hand that begin at the start of the face."""
     count = _nearest(course)
-    if fibers.winding.starts is not None and count != fibers.winding.starts:
+    if fibers.wound.starts is not None and count != fibers.wound.starts:
         raise TurgorError(
-            f"fibers on '{fibers.place}': a quarter model needs an even number of starts, not {fibers.winding.starts}; "
+            f"fibers on '{fibers.place}': a quarter model needs an even number of starts, not {fibers.wound.starts}; "
             "model the half or the whole."
         )
     if count == 0:

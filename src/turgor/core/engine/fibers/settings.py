@@ -31,6 +31,11 @@ class FiberSettings:
     nudge : float
         Discrete threads are moved by this share of the perimeter and of the length, so that none runs along the border
         of two sides.
+    embedded_within : float
+        Points of embedded threads may be this share of the mean edge of cells outside the body, as in Abaqus: curved
+        surfaces are rounder than their cells.
+    inverse_steps : int
+        Newton steps that find the place of a point in a cell; quadratic cells need about five.
     """
 
     cylinder_like: float = 0.2
@@ -41,6 +46,8 @@ class FiberSettings:
     trusses_of_side: int = 2
     shortest_truss: float = 1e-4
     nudge: float = 2e-7
+    embedded_within: float = 0.05
+    inverse_steps: int = 12
 
 
 FIBERS = FiberSettings()

@@ -54,7 +54,7 @@ def course_of(mesh: Mesh, fibers: Fibers) -> Course:
         If the face is not like a cylinder around the axis, the threads overlap, or a mirror plane would turn a helix
         into one of the other hand.
     """
-    winding = fibers.winding
+    winding = fibers.wound
     axis = unit_axis(winding)
     sides = wound_sides(mesh, fibers)
     frames = surface_frames(mesh.points, sides)
@@ -149,7 +149,7 @@ def _check_pitch(winding: Winding, angle: float, perimeter: float) -> None:
 def smeared_pieces(mesh: Mesh, fibers: Fibers) -> Pieces:
     """Spread the threads of a winding over the integration points of their face."""
     course = course_of(mesh, fibers)
-    axis = unit_axis(fibers.winding)
+    axis = unit_axis(fibers.wound)
     sides = wound_sides(mesh, fibers)
     frames = surface_frames(mesh.points, sides)
     parts = np.split(frames.normal, np.cumsum([len(mesh.face(name)) for name in fibers.faces])[:-1])

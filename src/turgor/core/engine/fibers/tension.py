@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from turgor.core.engine.fibers.fiber_kernels import Pieces
 from turgor.core.engine.fibers.thread_rest import ThreadRest
-from turgor.core.meshing.cells import side_type
+from turgor.core.meshing.cells import SIDE_TYPES, cell_type, side_type
 from turgor.core.model.fibers import Fibers
 
 Array = NDArray[np.float64]
@@ -28,7 +28,8 @@ def smooth_tension(pieces: Pieces, tension: Array) -> Array:
     Threads hardly stretch, and the strains of a quadratic side are not exact enough for them. Along a thread the
     tension jumps from truss to truss, and in the middle of a side it is twice as large as near the edge. The average is
     right. Each node of the mesh gets the average of the sides around it, by hand of the winding, and each side the
-    average of its corners. This averages over two sides in every direction.
+    average of its corners. This averages over two sides in every direction. Embedded threads, whose pieces lie in
+    cells, are averaged over two cells along each thread.
 
     Parameters
     ----------
@@ -40,9 +41,11 @@ def smooth_tension(pieces: Pieces, tension: Array) -> Array:
     -------
     (k,) array [N]
     """
-    corners = side_type(pieces.sides.shape[1]).corners
+    count = pieces.sides.shape[1]
+    corners = (side_type if count in {each.nodes for each in SIDE_TYPES} else cell_type)(count).corners
     nodes = pieces.sides[:, :corners]
-    places = nodes + (nodes.max() + 1) * pieces.hand[:, None]
+    _, places = np.unique(nodes + (nodes.max() + 1) * pieces.hand[:, None], return_inverse=True)
+    places = places.reshape(nodes.shape)
     weights = np.repeat(pieces.weights, corners)
     total = np.bincount(places.ravel(), weights)
     weighted = np.bincount(places.ravel(), weights * np.repeat(tension, corners))

@@ -12,9 +12,8 @@ from turgor.core.model.history_text import shares_text
 from turgor.core.model.loads.images import refuse_in_sectors
 from turgor.core.model.loads.load import Load, Vector
 from turgor.core.model.loads.temperature import FREEZING, ROOM
-from turgor.core.model.loads.tendon import checked_guides
 from turgor.foundation.errors import TurgorError
-from turgor.foundation.given import Quantities, Quantity, number
+from turgor.foundation.given import Quantities, Quantity, checked_guides, number
 from turgor.foundation.given import name as name_of
 from turgor.units import mm
 

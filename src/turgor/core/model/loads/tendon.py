@@ -2,11 +2,8 @@
 
 from collections.abc import Container, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
 from math import isfinite
 from typing import TYPE_CHECKING
-
-import numpy as np
 
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.model.history import RAMP, History, checked
@@ -14,7 +11,7 @@ from turgor.core.model.history_text import shares_text
 from turgor.core.model.loads.images import refuse_in_sectors
 from turgor.core.model.loads.load import Load, Vector
 from turgor.foundation.errors import TurgorError
-from turgor.foundation.given import Quantities, Quantity, number, vector
+from turgor.foundation.given import Quantities, Quantity, checked_guides, number
 from turgor.units import N, mm
 
 #: Largest coefficient of friction between a cable and its guides.
@@ -161,20 +158,3 @@ class Tendon(Load):
     def cable(self) -> "Tendon":
         """Itself."""
         return self
-
-
-def checked_guides(through: Sequence[Quantities], subject: str) -> tuple[Vector, ...]:
-    """Return points in SI units that a cable runs through.
-
-    Raises
-    ------
-    TurgorError
-        If there are fewer than two, or two neighbors coincide.
-    """
-    points = tuple(vector(point, f"{subject}: point {i + 1} of through", "length") for i, point in enumerate(through))
-    if len(points) < 2:
-        raise TurgorError(f"{subject}: through has {len(points)} points; at least two are needed.")
-    for i, (one, two) in enumerate(pairwise(points)):
-        if np.allclose(one, two, rtol=0, atol=1e-9):
-            raise TurgorError(f"{subject}: points {i + 1} and {i + 2} of through coincide; leave one out.")
-    return points

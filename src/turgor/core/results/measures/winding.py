@@ -31,10 +31,11 @@ def winding_force(at: StateFields) -> float:
     ----------
     at : StateFields
     """
-    if not at.model.reinforcements:
-        raise TurgorError("the model has no fibers.")
+    wound = [fibers for fibers in at.model.reinforcements if not fibers.embedded]
+    if not wound:
+        raise TurgorError("the model has no fibers on a face.")
     total: dict[object, float] = {}
-    for fibers in at.model.reinforcements:
+    for fibers in wound:
         place = (frozenset(fibers.faces), fibers.within)
         total[place] = total.get(place, 0.0) + _force_around(at, fibers)
     return max(total.values())
@@ -69,7 +70,7 @@ def _ends(at: StateFields, hoops: Pieces, fibers: Fibers) -> tuple[float, float]
     along = _places(at, hoops, fibers)
     low, high = float(along.min()), float(along.max())
     for name in at.mesh.symmetry_faces:
-        level = at.mesh.points[at.mesh.face_nodes(name)] @ unit_axis(fibers.winding)
+        level = at.mesh.points[at.mesh.face_nodes(name)] @ unit_axis(fibers.wound)
         if np.ptp(level) < 1e-6 * (high - low):  # a plane across the axis: the other half goes on beyond it
             low, high = min(low, 2 * float(level.mean()) - high), max(high, 2 * float(level.mean()) - low)
     inside = np.abs(along - (low + high) / 2) < (high - low) / 4
@@ -90,12 +91,12 @@ def _weight(at: StateFields, pieces: Pieces, fibers: Fibers, ends: tuple[float, 
 
 def _places(at: StateFields, pieces: Pieces, fibers: Fibers) -> Array:
     """Places of pieces along the axis at rest, (k,) [m]."""
-    return np.asarray(np.einsum("ka,ka->k", pieces.middle, (at.mesh.points @ unit_axis(fibers.winding))[pieces.sides]))
+    return np.asarray(np.einsum("ka,ka->k", pieces.middle, (at.mesh.points @ unit_axis(fibers.wound))[pieces.sides]))
 
 
 def _laid(at: StateFields, fibers: Fibers, angle: float) -> Pieces:
     """Pieces at the integration points of the wound face that run at an angle from the axis."""
-    winding = Winding(angle_from_axis=angle, spacing=1 * m, axis=fibers.winding.axis)
+    winding = Winding(angle_from_axis=angle, spacing=1 * m, axis=fibers.wound.axis)
     return smeared_pieces(at.mesh, replace(fibers, form=SMEARED, bending=False, winding=winding))
 
 

@@ -26,6 +26,10 @@ def check_fibers(model: Model) -> tuple[Finding, ...]:
     """
     findings = []
     for fibers in model.reinforcements:
+        if fibers.embedded:
+            lay(model.mesh, fibers)
+            findings += _resisting(fibers)
+            continue
         course = course_of(model.mesh, fibers)
         lay(model.mesh, fibers)  # an error for threads that lie nowhere on their face
         findings += [
@@ -48,11 +52,12 @@ def _resisting(fibers: Fibers) -> list[Finding]:
         what.append("resist bending")
     if not what:
         return []
+    place = f"{'Embedded fibers' if fibers.embedded else 'Fibers on'} {fibers.place}"
     return [
         Finding(
             code="B04",
             severity=Severity.NOTE,
-            message=f"Fibers on {fibers.place} {' and '.join(what)}; threads do neither.",
+            message=f"{place} {' and '.join(what)}; threads do neither.",
             advice="Leave compression and bending out unless they are rods, or wires.",
         )
     ]
@@ -81,7 +86,7 @@ def _far_apart(model: Model, fibers: Fibers, course: Course) -> list[Finding]:
 
 def _other_spacing(fibers: Fibers, course: Course) -> list[Finding]:
     """Discrete threads that are not as far apart as requested, because their number is whole (B21)."""
-    if fibers.form != DISCRETE or fibers.winding.spacing is None:
+    if fibers.form != DISCRETE or fibers.wound.spacing is None:
         return []
     laid = laid_spacing(course)
     if abs(laid - course.spacing) <= REPORTS.notable_share * course.spacing:
@@ -136,6 +141,8 @@ def stiffness_over_wall(model: Model, fibers: Fibers, course: Course) -> float:
 def stiff_threads_text(model: Model) -> str:
     """Return the advice for threads that are too stiff to become slack, or nothing if there are none."""
     for fibers in model.reinforcements:
+        if fibers.embedded:
+            continue
         course = course_of(model.mesh, fibers)
         ratio = stiffness_over_wall(model, fibers, course)
         if fibers.compression == 0 and ratio > FIBERS.too_stiff:

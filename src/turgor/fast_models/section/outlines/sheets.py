@@ -111,9 +111,9 @@ def smeared(fibers: Fibers) -> Fibers:
     TurgorError
         If their direction is given by turns, which depend on a length that a section does not have.
     """
-    if fibers.winding.turns is not None:
+    if fibers.wound.turns is not None:
         raise TurgorError(
-            f"fibers on '{fibers.place}': turns is {fibers.winding.turns:g}, but a section has no length; give pitch "
+            f"fibers on '{fibers.place}': turns is {fibers.wound.turns:g}, but a section has no length; give pitch "
             "(the wound length over the turns) or the angle."
         )
     return replace(fibers, form=SMEARED, bending=False) if fibers.form == DISCRETE else fibers

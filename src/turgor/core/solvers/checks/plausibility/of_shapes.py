@@ -41,8 +41,8 @@ def thread_diameter(question: Question) -> Iterator[Magnitude]:
 def turns(question: Question) -> Iterator[Magnitude]:
     """Turns of a thread, where they are stated [-]."""
     for each in question.model.reinforcements:
-        if each.winding.turns is not None:
-            yield Magnitude(f"Winding on {each.place}", each.winding.turns)
+        if not each.embedded and each.wound.turns is not None:
+            yield Magnitude(f"Winding on {each.place}", each.wound.turns)
 
 
 def obstacle_distance(question: Question) -> Iterator[Magnitude]:
