@@ -29,21 +29,21 @@ def _ratios(solution, face):
     return [float(np.hypot(*force[:2]) / force[2]) for force in forces if force[2] > LOST]
 
 
-@pytest.mark.parametrize("friction", [0.0, 0.5])
-def test_rim_of_triangles_slides_off_a_block(friction, record_verification):
+def test_rim_of_triangles_slides_off_a_block(record_verification):
+    friction = 0.5
     path = ((0, (0, 0, 0)), (PRESSED, (0, 0, -DOWN)), (1, (ALONG, 0, -DOWN)))
     plate = Obstacle(name="plate", shape=contact_cases.slab(40, 3), friction=friction, path=path)
     solution = problems.solve(contact_cases.standing(contact_cases.block((3, 3, 1), (10, 10, 3)), plate), STEPS)
     ratios = _ratios(solution, "z0")
     record_verification(
-        claim=f"plate of triangles whose rim slides off a block, µ = {friction:g}: tangential over normal force",
+        claim="plate of triangles whose rim slides off a block, µ = 0.5: tangential over normal force, least and most",
         source="Coulomb's law, exact",
         expected=friction,
         got=[min(ratios), max(ratios)],
         tolerance="1 %",
     )
     assert len(ratios) >= 3
-    assert ratios == pytest.approx([friction] * len(ratios), rel=0.01, abs=0.005)
+    assert ratios == pytest.approx([friction] * len(ratios), rel=0.01)
     assert abs(problems.reaction(solution.states[-1], "z0")[2]) < 1e-6
     assert solution.iterations < 90
 

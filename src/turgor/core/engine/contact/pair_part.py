@@ -130,8 +130,8 @@ class PairPart(PointsPart):
         x, normal, growth = points_of(position, s.sides, s.N, s.dN)
         every = self._all(position, pose)
         if known is None:
-            found = self._search(x, normal, position, every)
-            return Gaps(x, normal, growth, *found, pose, self._covered(*found))
+            nearest = self._search(x, normal, position, every)
+            return Gaps(x, normal, growth, *nearest, pose, self._covered(*nearest))
         walk = 0 if how is SearchMode.KEEP else CONTACT_SEARCH.walk
         partner, at, gap = follow_partners(
             (x, normal), every, p.sides, known.partner, known.at, p.around, self._beyond, walk
