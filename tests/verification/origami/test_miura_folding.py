@@ -1,7 +1,8 @@
 """Miura tube: pressed together it gets narrower and taller as rigid folding does; vacuum folds it where it is steep.
 
-Problem: a film of 0.3 mm and 20 MPa, two rows of sides of 20 mm and slanted edges of 12 mm. The rim slides in its plane,
-and so does the end plate, a film without stiffness, so that nothing stops the tube from folding. It is pressed by 2 %.
+Problem: a film of 0.3 mm and 20 MPa, two rows of sides of 20 mm and slanted edges of 12 mm. The rim slides in its
+plane, and so does the end plate, a film without stiffness, so that nothing stops the tube from folding. It is pressed
+by 2 %.
 Reference: walls that stay flat (Schenk and Guest 2013, doi 10.1073/pnas.1217998110): the width 2 L and the height 2 H
 of a rhombus follow the length S of a row, L √(b² − S²) = a b cos γ and L² + H² = a².
 Tolerance: 8 % of both changes. Walls bend between folds that keep their angle; sides of 6 and of 3 mm differ by less.
