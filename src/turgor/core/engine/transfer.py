@@ -106,7 +106,7 @@ class Transfer:
         return out
 
     def memory(self, memory: Memory | None) -> Memory | None:
-        """Internal variables of the rubber by a linear fit in each cell of the coarser mesh; those of cables as they are."""
+        """Internal variables of the rubber by a linear fit in each coarser cell, and those of cables as they are."""
         if memory is None:
             return None
         stress = {name: np.stack([self._fitted(name, each) for each in every]) for name, every in memory.stress.items()}

@@ -168,9 +168,7 @@ class MeshFile:
 
         raw, frame = read_in(Path(self.file), self.unit, self.axes)
         raw, _ = as_tetrahedra(raw)
-        wishes = Wishes(
-            regions=self.regions, faces=self.faces, cavities=self.cavities, frame=frame, merge=self.merge
-        )
+        wishes = Wishes(regions=self.regions, faces=self.faces, cavities=self.cavities, frame=frame, merge=self.merge)
         mesh = named_mesh(raw, wishes)
         finding = Finding(
             code="G27",
