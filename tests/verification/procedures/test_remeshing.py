@@ -209,6 +209,24 @@ def test_a_run_that_was_ended_goes_on(ended_at, saved, degraded_at_half, tmp_pat
         assert one.displacement == pytest.approx(other.displacement, abs=1e-12)
 
 
+@pytest.mark.parametrize("kind", ["wire", "tendon"])
+def test_cables_remember_on_new_cells(kind):
+    """A wire that was heated and is cold again stays austenite; a cable with friction stays tight beyond its guides."""
+    way, history = [(x * mm, 4 * mm, 8 * mm) for x in (0, 20, 40)], ((0, 0), (0.5, 1), (1, 0.4))
+    if kind == "wire":
+        alloy = {"alloy": "nitinol-brinson-1993", "strain": 0.01, "temperature": "90 °C"}
+        load = tg.loads.ShapeMemoryWire(through=way, diameter="0.05 mm", history=history, **alloy)
+    else:
+        load = tg.loads.Tendon(through=way, tension="0.2 N", friction=0.5, history=history)
+    mesh = meshes.box((40 * mm, 8 * mm, 8 * mm), (4, 1, 1), kind=HEXAHEDRON)
+    state = solve(tg.Model(mesh, {"body": rubber(NEO_HOOKE)}, [tg.Fixed("x0")], [load]), tg.Static()).states[-1]
+    new = tg.solutions.remesh(state, growth=2.0, options=OPTIONS)
+    before, there, after = (tg.measures.cable_results(each)[0] for each in (state, new.transferred, new.state))
+    assert there.phases == before.phases
+    assert there.tension == pytest.approx(before.tension, rel=1e-9)
+    assert after.tension == pytest.approx(before.tension, rel=0.2)  # the rubber gives way more around the ends
+
+
 def test_what_cannot_be_carried_over_is_refused():
     plane = tg.obstacles.Plane(point=(0, 0, 5 * MM), normal=(0, 0, -1))
     model = contact_cases.standing(contact_cases.block((1, 1, 1)), contact_cases.pushed(plane, friction=0.3))

@@ -106,13 +106,14 @@ class Transfer:
         return out
 
     def memory(self, memory: Memory | None) -> Memory | None:
-        """Internal variables of the rubber, transferred by a linear fit in each cell of the coarser mesh."""
+        """Internal variables of the rubber by a linear fit in each coarser cell, and those of cables as they are."""
         if memory is None:
             return None
         stress = {name: np.stack([self._fitted(name, each) for each in every]) for name, every in memory.stress.items()}
         largest = {name: np.maximum(self._fitted(name, each), 0.0) for name, each in memory.largest.items()}
         flow = {name: np.stack([self._flowed(name, each) for each in every]) for name, every in memory.flow.items()}
-        return Memory(stress=stress, largest=largest, flow=flow)
+        cables = {name: each for name, each in memory.bonds.items() if name.startswith("cable ")}
+        return Memory(stress=stress, largest=largest, flow=flow, bonds=cables)
 
     def _flowed(self, region: str, values: Array) -> Array:
         """Internal variables (c', q, 10) of a network that flows, which keeps its volume."""

@@ -7,6 +7,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.cables.cables import by_cable
 from turgor.core.model.continued_model import continued, movable, with_loads
 from turgor.core.model.drive import pressures_at
 from turgor.core.model.loads import Load, pressures_among
@@ -64,7 +65,7 @@ def questions(model: Model, procedure: Procedure) -> tuple[Model, ...]:
     Raises
     ------
     TurgorError
-        If a stage changes what the model does not have, or seeks a pressure that it states.
+        If a stage changes what the model does not have, seeks a pressure that it states, or contradicts a cable.
     """
     if not procedure.stages:
         return (model,)
@@ -74,6 +75,7 @@ def questions(model: Model, procedure: Procedure) -> tuple[Model, ...]:
         try:
             question = _question(first, stage, last)
             stage.procedure.controlled(question)
+            by_cable(question)
         except TurgorError as error:
             raise TurgorError(f"stage '{stage.name}': {error}") from None
         models.append(question)

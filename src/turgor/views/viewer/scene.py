@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.results.fields.cables import cables_with_tension
+from turgor.core.results.fields.cables import cable_results
 from turgor.core.results.fields.contact import extents_of
 from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
@@ -202,7 +202,8 @@ def _obstacles(states: Sequence[StateFields]) -> dict[str, Any] | None:
 
 def _threads(states: Sequence[StateFields]) -> dict[str, Any] | None:
     """Threads of the modeled part in each step, and the number of points of each; None where there are none."""
-    lines = [_lines(at) for at in states]
+    cables = _cables(states)
+    lines = [[*of_cables, *_fibers(at)] for of_cables, at in zip(cables, states, strict=True)]
     if not lines[0]:
         return None
     stride = -(-sum(map(len, lines[0])) * POINT * len(states) // VIEWER.part_bytes)
@@ -213,9 +214,17 @@ def _threads(states: Sequence[StateFields]) -> dict[str, Any] | None:
     }
 
 
-def _lines(at: StateFields) -> list[Array]:
-    """Threads and cables of the modeled part as lines (k, 3) [m]; smeared fibers that cannot be laid have none."""
-    lines = [line for line, _ in cables_with_tension(at)]
+def _cables(states: Sequence[StateFields]) -> list[list[Array]]:
+    """Cables of the modeled part in each step as lines (k, 3) [m]; a point where a stage does not have one of them."""
+    steps = [{(each.name, len(each.guides)): each.guides for each in cable_results(at)} for at in states]
+    every = {key: line for step in steps for key, line in step.items()}
+    absent = {key: np.repeat(line[:1], len(line), axis=0) for key, line in every.items()}
+    return [list((absent | step).values()) for step in steps]
+
+
+def _fibers(at: StateFields) -> list[Array]:
+    """Threads of the modeled part as lines (k, 3) [m]; smeared fibers that cannot be laid have none."""
+    lines: list[Array] = []
     for fibers in at.model.reinforcements:
         try:
             lines += at.facts.threads(fibers).polylines(at.points)

@@ -210,3 +210,16 @@ def test_the_page_goes_on_between_states_where_every_other_one_follows_from_the_
     back = scene_of(path(np.linspace(0, 1, 7), [0, 0.2, 0.4, 0.6, 0.5, 0.8, 1]))
     assert back.values["places"] is None
     assert scene_of(path(np.linspace(0, 1, 5))).values["places"] is None
+
+
+def test_a_cable_of_a_later_stage_is_a_point_before():
+    mesh = cases.body()
+    ends = [mesh.points[mesh.face_nodes("tip")[k]] for k in (0, -1)]
+    cable = tg.loads.Tendon(through=ends, tension=1.0)
+    models = [cases.model(mesh), replace(cases.model(mesh), loads=(cable,))]
+    path = cases.solution([cases.state(each, cases.bent(f), f) for each, f in zip(models, (0.0, 1.0), strict=True)])
+    threads = scene_of(path).values["threads"]
+    before, after = unpack(threads["positions"])
+    assert unpack(threads["lengths"]).tolist() == [2]
+    assert np.ptp(before, axis=0) == pytest.approx(np.zeros(3), abs=1e-6)
+    assert np.linalg.norm(after[1] - after[0]) > 1e-3

@@ -21,7 +21,7 @@ def cable_terms(setting: Setting) -> list[CableTerm]:
     """One for each tendon and each wire."""
     mesh, length, force = setting.model.mesh, setting.length, setting.stress * setting.length**2
     out: list[CableTerm] = []
-    for loads in _by_cable(setting.model).values():
+    for loads in by_cable(setting.model).values():
         load = loads[-1]
         laid = lay_cable(mesh, setting.points, length, load)
         if isinstance(load, ShapeMemoryWire):
@@ -39,8 +39,12 @@ def terms_of(model: Model) -> list[CableTerm]:
     return cable_terms(Setting(model, points, np.zeros(points.shape, dtype=bool), np.empty((0, 0)), 1.0, 1.0))
 
 
-def _by_cable(model: Model) -> Mapping[tuple[str, str], list[Any]]:
+def by_cable(model: Model) -> Mapping[tuple[str, str], list[Any]]:
     """Loads on each cable, by their kind and place.
+
+    Parameters
+    ----------
+    model : Model
 
     Raises
     ------

@@ -17,6 +17,9 @@ from turgor.foundation.given import Quantities, Quantity, checked_guides, number
 from turgor.foundation.given import name as name_of
 from turgor.units import mm
 
+#: Temperatures [K] of wires: below, no alloy in use is austenite; above, all of them lose their memory.
+COLDEST, HOTTEST = 100.0, 1000.0
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ShapeMemoryWire(Load):
@@ -92,10 +95,17 @@ class ShapeMemoryWire(Load):
         subject = f"wire '{name_of(self.name, 'wire', 'name')}'"
         object.__setattr__(self, "through", checked_guides(self.through, subject))
         object.__setattr__(self, "alloy", given_alloy(self.alloy))
-        for key, dimension in (("diameter", "length"), ("temperature", "temperature"), ("rest", "temperature")):
-            value = number(getattr(self, key), f"{subject}: {key}", dimension)
-            if not (value > 0 and isfinite(value)):
-                raise TurgorError(f"{subject}: {key} is {value:g} in SI units; it must be above 0.")
+        diameter = number(self.diameter, f"{subject}: diameter", "length")
+        if not (diameter > 0 and isfinite(diameter)):
+            raise TurgorError(f"{subject}: diameter is {diameter / mm:g} mm; it must be above 0.")
+        object.__setattr__(self, "diameter", diameter)
+        for key in ("temperature", "rest"):
+            value = number(getattr(self, key), f"{subject}: {key}", "temperature")
+            if not COLDEST <= value <= HOTTEST:
+                raise TurgorError(
+                    f"{subject}: {key} is {value:g} K; allowed is {COLDEST:g} K to {HOTTEST:g} K. A number without "
+                    'a unit is in kelvin; write "70 °C".'
+                )
             object.__setattr__(self, key, value)
         strain, most = number(self.strain, f"{subject}: strain", "share"), self.alloy.transformation_strain
         if not 0 <= strain <= most:

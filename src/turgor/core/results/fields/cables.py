@@ -114,12 +114,12 @@ def wire_martensite_of(at: StateFields) -> float:
 def _wires(at: StateFields) -> list[Phases]:
     phases = [each.phases for each in cable_results(at) if each.phases is not None]
     if not phases:
-        raise TurgorError("the model has no shape-memory wire.")
+        raise TurgorError("the model has no shape-memory wire; a stage that does not heat one states it, too.")
     return phases
 
 
 def _some(at: StateFields) -> tuple[CableResult, ...]:
     cables = cable_results(at)
     if not cables:
-        raise TurgorError("the model has no cable.")
+        raise TurgorError("the model has no cable; a stage that does not pull states it with a tension of 0.")
     return cables
