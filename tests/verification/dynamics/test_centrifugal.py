@@ -78,3 +78,17 @@ def test_a_half_model_needs_its_axis_in_the_mirror_plane():
     tg.Model(mesh, {"body": material}, "x0", tg.loads.Centrifugal(speed=1.0, axis=(0, 0, 1)))
     with refused("mirror plane", "y = 0 mm"):
         tg.Model(mesh, {"body": material}, "x0", tg.loads.Centrifugal(speed=1.0, axis=(0, 0, 1), through=(0, 0.1, 0)))
+
+
+def test_motion_and_modes_of_a_part_that_turns_are_refused(tmp_path):
+    mesh = meshes.box((1.0, 0.2, 0.2), (1, 1, 1))
+    material = problems.rubber(problems.NEO_HOOKE, KAPPA, DENSITY)
+    model = tg.Model(mesh, {"body": material}, "x0", tg.loads.Centrifugal(speed=1.0, axis=(0, 0, 1)))
+    motion = tg.Dynamic(duration=1.0)
+    for attempt in (
+        lambda: tg.natural_frequencies(model, count=1),
+        lambda: tg.solve(model, motion),
+        lambda: tg.files.write_inp(model, tmp_path / "a.inp", procedure=motion),
+    ):
+        with pytest.raises(tg.TurgorError, match="Coriolis"):
+            attempt()

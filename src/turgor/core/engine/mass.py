@@ -86,6 +86,25 @@ def mass_data(system: System) -> Array:
     return data if content is None else data + content
 
 
+def refuse_turning(model: Model) -> None:
+    """Refuse motion and vibration of a part that turns, whose Coriolis force is not modeled.
+
+    Parameters
+    ----------
+    model : Model
+
+    Raises
+    ------
+    TurgorError
+        If it has a centrifugal force.
+    """
+    if any(load.spinning is not None for load in model.loads):
+        raise TurgorError(
+            "centrifugal force: what moves or vibrates in a frame that turns has a Coriolis force, too, which is not "
+            "modeled; leave the force out, or take an equilibrium (procedure static)."
+        )
+
+
 def even_mass(system: System) -> Array:
     """Lower triangle (nnz,) of a mass of 1 for a volume of 1, both scaled; reference points and sheets have none.
 

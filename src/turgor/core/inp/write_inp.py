@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from turgor.core.engine.mass import refuse_turning
 from turgor.core.inp.account import InpNote, by_verdict
 from turgor.core.inp.cells import mesh_lines
 from turgor.core.inp.contact import RigidNode, contact_lines, rigid_rows
@@ -152,6 +153,7 @@ def _check_extras(model: Model, procedure: Procedure) -> None:
     inside = [name for name, nodes in places if not np.isin(nodes, model.mesh.cells[:, :20]).any()]
     what += [f"'{name}', a middle of a side or cell, which hexahedra of 20 nodes lack," for name in inside]
     if any(part.has_inertia for part in procedure.parts()):
+        refuse_turning(model)
         heavy = [each.name for each in model.points.values() if each.mass or any(each.inertia)]
         heavy += [load.place for load in model.loads if load.attached_mass]
         what += [f"the mass at reference point '{name}' in a motion" for name in heavy]

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.mass import mass_data
+from turgor.core.engine.mass import mass_data, refuse_turning
 from turgor.core.engine.system import System
 from turgor.foundation.symmetric import PAIRS
 from turgor.reduced.parts.inertia import Masses
@@ -16,6 +16,7 @@ Array = NDArray[np.float64]
 def masses_of(system: System, vectors: Array) -> Masses:
     """Mass and viscosity for modes (3 n, r)."""
     n = len(vectors)
+    refuse_turning(system.model)
     whole = system.layout.base.full(mass_data(system))[:n, :n]
     return Masses(np.asarray(vectors.T @ (whole @ vectors)), _viscosity(system, vectors))
 

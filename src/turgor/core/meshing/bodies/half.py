@@ -63,7 +63,8 @@ x; move the plane to 0.
     number, name = "xyz".index(axis), f"symmetry_{axis}"
     whole = _cut(_on_plane(mesh, number), number)
     _check_alike(whole, number)
-    return _upper(whole, number, name)
+    half = _upper(whole, number, name)
+    return replace(half, findings=(*half.findings, *_one_sided(whole, number)))
 
 
 def reach_across(mesh: Mesh, axis: str) -> bool:
@@ -141,6 +142,26 @@ def _check_alike(mesh: Mesh, number: int) -> None:
             what = f"{share:.1%} of its volume is on the positive side"
     if what:
         raise TurgorError(f"'{mesh.name}' has no mirror plane {axis} = 0: {what}.")
+
+
+def _one_sided(mesh: Mesh, number: int) -> tuple[Finding, ...]:
+    """Say which names of the positive side have no image on the other one: what acts there acts on both now."""
+    slack = UNLIKE * float(np.ptp(mesh.points[:, number]))
+    named = {**mesh.faces, **mesh.node_sets}
+    reach = {name: mesh.points[np.unique(rows), number] for name, rows in named.items() if len(rows)}
+    alone = [f"'{name}'" for name, at in reach.items() if at.max() > slack and abs(at.max() + at.min()) > slack]
+    if not alone:
+        return ()
+    axis = "xyz"[number]
+    return (
+        Finding(
+            code="G27",
+            severity=Severity.NOTE,
+            message=f"{', '.join(alone)} of '{mesh.name}' did not reach as far on the other side of {axis} = 0. In the "
+            "half, what acts or holds there has an image that does the same.",
+            advice=f"Nothing is to be done where that is meant; otherwise model the whole, without '{axis}' in mirror.",
+        ),
+    )
 
 
 def _upper(mesh: Mesh, number: int, name: str) -> Mesh:

@@ -11,7 +11,7 @@ from turgor.core.engine.algebra.linear import LinearSolver, SingularTangentError
 from turgor.core.engine.algebra.pattern import Pattern
 from turgor.core.engine.evaluation import Evaluation
 from turgor.core.engine.liquids.morison import added_mass, strips_of
-from turgor.core.engine.mass import mass_data, total_mass
+from turgor.core.engine.mass import mass_data, refuse_turning, total_mass
 from turgor.core.engine.points.point_mass import attached_mass
 from turgor.core.engine.runtime import EngineOptions, use_threads
 from turgor.core.engine.system import System
@@ -114,6 +114,7 @@ def natural_frequencies(
         a moment.
     """
     one(model, Model, "model", "a Model is needed")
+    refuse_turning(model)
     options = options or EngineOptions()
     with use_threads(options.threads):
         compile_kernels(options.notify, Needs.of(model))

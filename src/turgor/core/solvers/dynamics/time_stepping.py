@@ -15,7 +15,7 @@ from turgor.core.engine.algebra.additions import Addition, Linear, Together
 from turgor.core.engine.cells.internal_variables import Memory
 from turgor.core.engine.damping import StrainRateDamping
 from turgor.core.engine.energy import contact_energy, stored_energy, work_of_states
-from turgor.core.engine.mass import mass_data
+from turgor.core.engine.mass import mass_data, refuse_turning
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.model.drive import kinks
 from turgor.core.solvers.checkpoints.loop import Loop
@@ -96,6 +96,7 @@ def _begin(problem: Problem, procedure: TimeOptions) -> _Run:
     at = system.evaluate(unknowns, 0.0, cavities.acting, history=history)
     if at is None:
         raise TurgorError("the start turns a cell inside out; it is no state of this model.")
+    refuse_turning(system.model)
     mass = mass_data(system)
     added = (bodies := SlenderBodies.of(system)).mass(at)
     accelerations = Accelerations(system, at, mass + added)

@@ -122,6 +122,16 @@ def test_a_part_that_is_not_alike_on_both_sides_is_refused(tmp_path):
         half_of(replace(whole, points=points), "y")
 
 
+def test_names_of_one_side_are_said(tmp_path):
+    whole = read_mesh(bar_file(tmp_path))
+    assert not [each for each in half_of(whole, "y").findings if "other side" in each.message]
+    corner = np.flatnonzero((whole.points == whole.points.max(axis=0)).all(axis=1))
+    half = half_of(replace(whole, node_sets={**whole.node_sets, "corner": corner}), "y")
+    (said,) = [each for each in half.findings if "'corner'" in each.message]
+    assert said.code == "G27"
+    assert "'edge'" not in said.message
+
+
 def test_a_job_takes_the_half(tmp_path):
     bar_file(tmp_path)
     file = tmp_path / "job.toml"
