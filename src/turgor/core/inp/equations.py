@@ -50,7 +50,7 @@ def equation_lines(model: Model) -> tuple[list[str], list[str]]:
 def _stated_lines(model: Model, fixed: NDArray[np.bool_], follow: NDArray[np.int64]) -> tuple[list[str], list[str]]:
     """Keywords and data of the `Equation` supports, each solved for a component that no other has; what they fix."""
     mesh = model.mesh
-    named = [(each.place, rows) for each in model.supports if (rows := each.equations(mesh)) is not None]
+    named = [(each.place, stated) for each in model.supports if (stated := each.equations(mesh)) is not None]
     if not named:
         return [], []
     moved = np.zeros_like(fixed)

@@ -16,6 +16,7 @@ from turgor.core.setups.blocked_tip import NEAR_TIP, FixedTip, Plate, blocked_fo
 from turgor.core.setups.grasped_object import Grasped, grasp
 from turgor.core.setups.setup_values import HOLDS, BlockedForce, Grasp
 from turgor.core.setups.with_setup import with_setup
+from turgor.core.solvers.procedures.stages import Stage
 from turgor.units import kPa, mm
 
 BAR = Cylinder(center=(30 * mm, 0, -12 * mm), axis=(0, 1, 0), radius=6 * mm)
@@ -234,3 +235,8 @@ def test_weight_does_not_stop_growing_and_is_refused():
     question = Model(cases.body(), materials, [Fixed("fixed")], loads, contact=contact)
     with refused("grasp", "Gravity"):
         grasp(question, pull_distance=8 * mm)
+
+
+def test_displacements_of_a_stage_are_displacements():
+    with refused("stage 'pull'", "'tip'", "Displacement"):
+        Stage("pull", displacements={"tip": (0, 0, 1e-3)})

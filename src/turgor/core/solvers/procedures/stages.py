@@ -10,6 +10,7 @@ from turgor.core.model.supports import Displacement
 from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.procedures.static import Static
 from turgor.foundation.errors import TurgorError
+from turgor.foundation.given import several
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,7 +64,10 @@ class Stage:
                     f"stage '{self.name}': the history of {load.label} begins with {load.share(0.0):g}; within a stage "
                     "a load goes from what it was, so begin with 0."
                 )
-        object.__setattr__(self, "displacements", tuple(self.displacements))
+        what = f"stage '{self.name}': displacements"
+        example = 'a Displacement is needed, such as Displacement("tip", (0, 0, "1 mm"))'
+        moves = several(self.displacements, Displacement, what, example)
+        object.__setattr__(self, "displacements", moves)
 
 
 @dataclass(frozen=True, slots=True)
