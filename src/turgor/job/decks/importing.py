@@ -22,12 +22,12 @@ from turgor.job.decks.motions.loose import has_loose_body
 from turgor.job.decks.motions.obstacles import obstacles_of
 from turgor.job.decks.motions.rigid import points_of
 from turgor.job.decks.motions.temperatures import initial_of, is_heated, temperatures_of
+from turgor.job.decks.motions.threads import threads_of
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.parts import entries_of, plane_table, stays_apart, ties_of
 from turgor.job.decks.steps import Path as DeckPath
 from turgor.job.decks.steps import path_of
 from turgor.job.decks.supports import supports_of
-from turgor.job.decks.threads import threads_of
 from turgor.job.decks.units import USUAL, DeckUnits
 from turgor.job.output.lock import material_table
 from turgor.job.tables.fibers import fibers_tables

@@ -44,7 +44,7 @@ def entries_of(
     entries: Entries = {}
     covered = np.zeros(0, dtype=np.int64)
     for keyword in deck.model:
-        if not keyword.name.endswith("section") or account.has(keyword):
+        if not keyword.name.endswith("section") or _of_threads(deck, keyword, account):
             continue
         try:
             cells, material = _section(deck, keyword, materials)
@@ -67,6 +67,12 @@ def entries_of(
             account.missing(keyword, str(error))
     _check_cells(deck, covered, account)
     return entries
+
+
+def _of_threads(deck: Deck, keyword: Keyword, account: Account) -> bool:
+    """Whether a section is one of embedded trusses, which has a row already."""
+    cells = deck.cells(keyword.given.get("elset", ""))
+    return account.has(keyword) and (cells is None or not len(cells))
 
 
 def _section(deck: Deck, keyword: Keyword, materials: Mapping[str, Material]) -> tuple[np.ndarray, Material]:
@@ -122,9 +128,9 @@ def _check_cells(deck: Deck, covered: np.ndarray, account: Account) -> None:
         keyword = next(each for each in deck.model if each.name == "solid section")
         account.missing(keyword, "sections overlap: a cell has two materials.")
     for keyword in deck.model:
-        if keyword.name != "element" or account.has(keyword):
-            continue
         kind = keyword.given.get("type", "").upper()
+        if keyword.name != "element" or (kind.startswith("T3D") and account.has(keyword)):
+            continue
         if deck.plane:
             _check_plane(deck, keyword, kind, account)
         elif not kind.startswith(("C3D", "M3D", "S")) or kind.startswith(("SPRING", "SFM")):

@@ -23,17 +23,7 @@ from turgor.job.tables.materials import read_library
 from turgor.job.text.box_table import BoxTable, box_table
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import (
-    Angle,
-    Coordinate,
-    Density,
-    Expansion,
-    Length,
-    Pressure,
-    Table,
-    read_table,
-    shown,
-)
+from turgor.job.text.quantities import Angle, Coordinate, Density, Expansion, Length, Pressure, Table, read_table, shown
 from turgor.units import format_quantity
 
 #: Keys of a table for the path of threads, with the unit of each in a lock file.
@@ -157,7 +147,10 @@ def _read_winding(values: Any, key: Key, geometry: Geometry | None, problems: Pr
 
 def _faces_are_there(table: FibersTable, key: Key, geometry: Geometry | None, problems: Problems) -> bool:
     if (table.face is None) == (table.through is None):
-        problems.add(key, "the threads need one of: face, that they are wound on, or through, points inside the body.")
+        state = (
+            "missing; name it, or the points inside the body: through" if table.face is None else "stated with through"
+        )
+        problems.add((*key, "face"), f"'face' of the threads is {state}.")
         return False
     if table.face is None:
         return True
