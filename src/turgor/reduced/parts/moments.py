@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.foundation.store.codec import SIX_DIGITS
+from turgor.foundation.store.codec import SEVEN_DIGITS
 from turgor.reduced.parts.polynomials import Cubics, CubicsAt
 
 Array = NDArray[np.float64]
@@ -30,7 +30,7 @@ class Moments:
         L.
     """
 
-    packed: Array = field(metadata=SIX_DIGITS)
+    packed: Array = field(metadata=SEVEN_DIGITS)
     slopes: Array
 
     @cached_property

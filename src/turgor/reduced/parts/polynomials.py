@@ -12,7 +12,7 @@ from itertools import permutations
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.foundation.store.codec import SIX_DIGITS
+from turgor.foundation.store.codec import SEVEN_DIGITS
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -30,7 +30,7 @@ class Cubics:
         R, one more than there are coordinates.
     """
 
-    packed: Array = field(metadata=SIX_DIGITS)
+    packed: Array = field(metadata=SEVEN_DIGITS)
     size: int
 
     def at(self, q: Array) -> "CubicsAt":

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.foundation.store.codec import SIX_DIGITS
+from turgor.foundation.store.codec import FOUR_DIGITS
 from turgor.reduced.settings import START
 
 Array = NDArray[np.float64]
@@ -36,7 +36,7 @@ class Spline:
 
     scales: Array
     centers: Array
-    weights: Array = field(metadata=SIX_DIGITS)
+    weights: Array = field(metadata=FOUR_DIGITS)
     linear: Array
 
     @staticmethod

@@ -289,5 +289,5 @@ def _points_in(
     there = whole.rubber.chosen(which, whole.rubber.weights[which])
     each = np.arange(len(which) + 1)
     rows = [trial.inverse @ at.forces(each).T for trial in trials if (at := there.at(trial.q)) is not None]
-    chosen = sampling.choose(np.vstack(rows), wanted[0], wanted[1], len(which))
+    chosen = sampling.choose(np.vstack(rows), wanted[0], wanted[1], min(SAMPLING.points, len(which)))
     return there.chosen(chosen.which, there.weights[chosen.which] * chosen.factors)
