@@ -87,13 +87,13 @@ def _solved(
 
 def _spread(model: Model) -> sp.csr_matrix:
     """Displacements of all nodes from those in the file, where middles of sides and cells follow their shape."""
-    size, kept = 3 * len(model.mesh.points), np.ones(len(model.mesh.points))
+    size, own = 3 * len(model.mesh.points), np.ones(len(model.mesh.points))
     if model.mesh.cell_type is TETRAHEDRON:
         return sp.identity(size, format="csr")
     middles = middles_of(model.mesh.cells)
-    kept[middles.followers] = 0.0
-    follow = sp.csr_matrix((middles.weights, (middles.followers, middles.leaders)), shape=(len(kept), len(kept)))
-    return sp.kron(follow + sp.diags(kept), sp.identity(3), format="csr")
+    own[middles.followers] = 0.0
+    follow = sp.csr_matrix((middles.weights, (middles.followers, middles.leaders)), shape=(len(own), len(own)))
+    return sp.kron(follow + sp.diags(own), sp.identity(3), format="csr")
 
 
 def _reduced(directions: NDArray[np.float64]) -> list[list[tuple[int, float]]]:
