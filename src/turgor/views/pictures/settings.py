@@ -131,6 +131,8 @@ class MarkSettings:
         Directions of which less than this share lies in the picture are drawn as a circle.
     hidden : float
         Opacity of marks behind the actuator.
+    aside : float
+        Share of the length of a body at which the level of a pool is marked beyond its ends, within the margin.
     """
 
     most: int = 6
@@ -141,6 +143,7 @@ class MarkSettings:
     shortest: float = 0.55
     head_on: float = 0.1
     hidden: float = 0.35
+    aside: float = 0.02
 
 
 MARKS = MarkSettings()

@@ -93,7 +93,7 @@ def _of_liquid(mesh: Mesh, liquid: HydrostaticPressure, images: Sequence[Image])
     middle = wet.mean(axis=0)
     middle += (liquid.level - middle @ up) * up
     along = np.eye(3)[np.argmax(extents * (1 - up**2))]
-    aside = (0.5 + MARKS.apart) * (along @ extents)
+    aside = (0.5 + MARKS.aside) * (along @ extents)
     places = middle + np.outer([-aside, aside] if liquid.free_surface else [0.0], along)
     yield LEVEL, places, np.tile(up, (len(places), 1))
 
