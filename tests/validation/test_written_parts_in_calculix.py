@@ -69,6 +69,30 @@ def test_threads(tmp_path, compression):
 
 
 @needs_calculix
+def test_embedded_threads(tmp_path):
+    """Tilted rods from cell to cell, tied to the nodes around them by equations."""
+    thread = tg.Material(name="thread", law=tg.laws.Hooke(E=200 * MPa, nu=0.3))
+    through = [
+        [(1.1 * mm, 0.7 * mm, 0.5 * mm), (3.7 * mm, 4.1 * mm, 7.3 * mm)],
+        [(4 * mm, 1 * mm, 1 * mm), (1 * mm, 2 * mm, 7 * mm)],
+    ]
+    fibers = Fibers(
+        material=thread, diameter=0.5 * mm, winding=tg.bodies.EmbeddedThreads(through=through), form="discrete",
+        compression=1.0,
+    )  # fmt: skip
+    with_rods, without = (
+        tg.Model(
+            block((2, 2, 2), (5 * mm, 5 * mm, 8 * mm)), {"body": RUBBER}, ["z0"], [tg.Pressure("z1", -10 * kPa)],
+            formulation="displacement", reinforcements=each, contact=APART,
+        )
+        for each in ([fibers], [])
+    )  # fmt: skip
+    far, near = (tg.solve(each).states[-1].displacement for each in (without, with_rods))
+    assert np.abs(far - near).max() > 0.2 * np.abs(far).max()
+    assert max(difference(with_rods, tmp_path)) < 1e-3
+
+
+@needs_calculix
 def test_stages_under_a_plate(tmp_path):
     plate = Obstacle(name="plate", shape=Plane(point=(0, 0, 5.1 * mm), normal=(0, 0, -1)))
     model = tg.Model(
