@@ -45,7 +45,7 @@ class DirectionsFit:
 
     Parameters
     ----------
-    law : law
+    law : any law
         Such as `Orthotropic`.
     angle : float [rad]
         Of two families of fibers to the first direction.

@@ -13,7 +13,7 @@ def as_material(value: Any, what: str, name: str) -> Material:
 
     Parameters
     ----------
-    value : Material, law or str
+    value : Material, a law or str
     what : str
         What it is, for the message.
     name : str
