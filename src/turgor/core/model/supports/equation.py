@@ -33,8 +33,8 @@ class Equation(Support):
     name : str
         By which reports and job files call it.
     terms : sequence of tuples
-        Place, direction and factor of each, at least two. The place is a face, a node set of the mesh file or a `NodesAt`; the direction ``"x"``, ``"y"``,
-        ``"z"`` or three numbers, whose length is another factor.
+        Place, direction and factor of each, at least two. The place is a face, a node set of the mesh file or a
+        `NodesAt`; the direction ``"x"``, ``"y"``, ``"z"`` or three numbers, whose length is another factor.
 
     Raises
     ------
