@@ -154,5 +154,5 @@ def test_stages_reports_and_other_programs_have_it(spin, tmp_path):
 def test_few_files_ask_for_classes_of_loads():
     classes = {kind.__name__ for kind in LOADS.values()}
     querying = files_that_query(classes)
-    assert len(classes) == 20
+    assert len(classes) == 21
     assert len(querying) <= 8, querying

@@ -10,7 +10,6 @@ from turgor.core.engine.cables.cable_term import CableTerm, lay_cable
 from turgor.core.engine.cables.tendon_term import TendonTerm
 from turgor.core.engine.cables.wire_term import WireTerm
 from turgor.core.engine.term import Setting
-from turgor.core.model.loads.shape_memory_wire import ShapeMemoryWire
 from turgor.core.model.model import Model
 from turgor.foundation.errors import TurgorError
 
@@ -24,7 +23,7 @@ def cable_terms(setting: Setting) -> list[CableTerm]:
     for loads in by_cable(setting.model).values():
         load = loads[-1]
         laid = lay_cable(mesh, setting.points, length, load)
-        if isinstance(load, ShapeMemoryWire):
+        if load.heated:
             out.append(WireTerm(load=load, laid=laid, heating=tuple(loads), unit=force))
         else:
             out.append(TendonTerm.of(loads, laid, length, force))

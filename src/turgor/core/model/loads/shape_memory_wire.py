@@ -73,6 +73,8 @@ class ShapeMemoryWire(Load):
     history: History = RAMP
 
     job_key = "wires"
+    #: Whether heat drives it.
+    heated = True
     spread = False
     lasting = True
 

@@ -62,6 +62,8 @@ class Tendon(Load):
     history: History = RAMP
 
     job_key = "tendons"
+    #: Whether heat drives it.
+    heated = False
     spread = False
     lasting = True
 
