@@ -152,20 +152,23 @@ def test_jobs_on_volume_and_gas(tmp_path):
 
 def test_jobs_on_limit_points(tmp_path):
     head, _ = blocks("volume-and-gas", "toml")[0].split("[procedure]")
-    auto, volume, arc = blocks("limit-points", "toml")
+    remeshed, auto, volume, arc = blocks("limit-points", "toml")
     load = '[loads]\npressure = "60 kPa"\n\n'
     assert job_of(tmp_path, head + load + auto).procedure == tg.Auto(past=3.0)
     assert job_of(tmp_path, head + load + arc).procedure == tg.ArcLength(max_stretch=4.0, at=(40 / 60,))
     assert job_of(tmp_path, head + volume).procedure == tg.VolumeControl(volume=32 * mL)
+    assert job_of(tmp_path, head + remeshed).procedure == tg.VolumeControl(volume=10 * mL, remesh=True)
 
 
 def test_jobs_with_weight(tmp_path):
-    weight, first, constant, hung = blocks("gravity", "toml")
+    weight, first, constant, hung, spun = blocks("gravity", "toml")
     assert job_of(tmp_path, HEAD + weight).loads == (tg.Gravity((0, 0, -1)),)
     both = job_of(tmp_path, HEAD + first).loads
     assert [load.at(0.2) if isinstance(load, tg.Pressure) else load.share(0.2) for load in both] == [0.0, 1.0]
     (there,) = job_of(tmp_path, HEAD + constant).loads
     assert there.share(0.0) == there.share(1.0) == 1.0
+    (turning,) = job_of(tmp_path, HEAD + spun).loads
+    assert turning.speed == pytest.approx(100 * np.pi)
     (pull,) = job_of(tmp_path, HEAD + hung).loads
     assert (pull.face, pull.vector) == ("tip", pytest.approx((0, 0, -0.05 * 9.80665)))
 

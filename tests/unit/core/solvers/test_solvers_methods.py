@@ -60,4 +60,4 @@ def test_states_of_load_control_hold_what_acts():
 def test_steps_are_stated_once_and_read_after_what_is_asked():
     steps = [each.name for each in fields(StepOptions)]
     assert [each.name for each in fields_in_order(GasMass)][:2] == ["mass_ratio", "exponent"]
-    assert [each.name for each in fields_in_order(Static)] == [*steps, "duration"]
+    assert [each.name for each in fields_in_order(Static)] == ["remesh", *steps, "duration"]

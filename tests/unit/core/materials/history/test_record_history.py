@@ -1,7 +1,6 @@
 """Viscoelasticity and softening in files: records, jobs, lock files, exports and words; times of a testing machine."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,7 +8,6 @@ import pytest
 import turgor as tg
 from refused import refused
 from turgor.core.inp.materials import material_lines
-from turgor.core.inp.write_inp import _static
 from turgor.core.materials.experiments.material_test import MaterialTest
 from turgor.core.materials.experiments.read_tests import read_test, read_tests
 from turgor.core.materials.experiments.test_edits import crop, thin
@@ -20,6 +18,7 @@ from turgor.core.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent
 from turgor.core.materials.library.record_text import describe_material
 from turgor.core.materials.library.records import from_library
 from turgor.core.materials.material import Material
+from turgor.core.solvers.procedures.static import Static
 from turgor.foundation.source import Source
 from turgor.job.output.lock import lock_text
 
@@ -188,8 +187,10 @@ def test_abaqus_gets_either_and_calculix_refuses_it():
         "*MULLINS EFFECT",
         "1.4, 0.0234567, 0.1",
     ]
-    assert _static(SimpleNamespace(region_materials={"body": relaxing}), "abaqus") == "*STATIC, LONG TERM"
-    assert _static(SimpleNamespace(region_materials={"body": softening}), "abaqus") == "*STATIC"
+    assert [Static().deck_step("abaqus", relaxes).keyword for relaxes in (True, False)] == [
+        "*STATIC, LONG TERM",
+        "*STATIC",
+    ]
     with refused("materials.body", "'a'", "Abaqus", "turgor"):
         material_lines("body", replace(relaxing, stress_softening=MULLINS), "abaqus")
     with refused("materials.body", "CalculiX", "viscoelasticity"):
