@@ -94,7 +94,7 @@ def test_file_has_its_obstacles(tmp_path) -> None:
     again = tg.load(pressing().save(tmp_path / "bellows"))
     here = {"pressure": 4 * kPa, "point.1": LENGTH + 2 * mm}
     force = pressing().solve(here).obstacle_forces["plate"]
-    assert again.solve(here).obstacle_forces["plate"] == pytest.approx(force, rel=1e-4)  # a file has four digits
+    assert again.solve(here).obstacle_forces["plate"] == pytest.approx(force, rel=1e-5)
 
 
 def sheet(level: float) -> RigidSurface:
