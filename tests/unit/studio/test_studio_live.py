@@ -38,7 +38,7 @@ def folder(tmp_path):
 def test_state_of_page_is_that_of_reduced_model(folder):
     answer = moved.at_inputs(folder / "finger.reduced", {KEY: 8.0})
     same = model().solve(8 * kPa)
-    assert answer["tip"] == pytest.approx(same.tip.tolist(), rel=1e-5, abs=1e-8)  # displacements of a file have four digits
+    assert answer["tip"] == pytest.approx(same.tip.tolist(), rel=1e-5, abs=1e-8)  # a file has four digits
     angle = tg.bending_angle(same.state())
     words = dict(answer["rows"])["bending angle"]
     assert float(words.split(" ")[0]) == pytest.approx(angle / deg, abs=0.06)
