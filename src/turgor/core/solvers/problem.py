@@ -6,9 +6,10 @@ from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.cells.internal_variables import History, Memory
 from turgor.core.engine.system import System
 from turgor.core.solvers.checkpoints.checkpoint_data import Record
+from turgor.core.solvers.guide import Guide
 from turgor.core.solvers.listeners import Listeners
 from turgor.core.solvers.restart import Restart
-from turgor.core.solvers.solution import LimitPoint, Solution, State, Step
+from turgor.core.solvers.solution import LimitPoint, State, Step
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -26,7 +27,7 @@ class Problem:
         What the start brings into the first step.
     record : Record or None
         Where checkpoints are saved.
-    guide : Solution or None
+    guide : Guide or None
         The path of a similar model.
     states, steps, limits : list
         What is found.
@@ -38,7 +39,7 @@ class Problem:
     restart: Restart | None = None
     history: History | None = None
     record: Record | None = None
-    guide: Solution | None = None
+    guide: Guide | None = None
     states: list[State] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)
     limits: list[LimitPoint] = field(default_factory=list)

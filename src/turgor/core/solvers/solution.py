@@ -229,6 +229,8 @@ class Timing:
         Evaluating residuals, predictions included.
     factorization, solve : float
         Factoring tangents, solving with the factors.
+    guide : float
+        The path of a shorter row; the four before have their shares of it.
     total : float
         The whole of `turgor.solve`.
     factorizations : int
@@ -243,6 +245,7 @@ class Timing:
     residual: float = 0.0
     factorization: float = 0.0
     solve: float = 0.0
+    guide: float = 0.0
     total: float = 0.0
     factorizations: int = 0
     linear_solver: str = ""

@@ -24,7 +24,7 @@ from turgor.core.solvers.checks.membranes import compressed_membranes
 from turgor.core.solvers.checks.plate import plate_findings
 from turgor.core.solvers.checks.supports import free_motions
 from turgor.core.solvers.checks.time_steps import steps_too_long_for_channels, too_long_steps
-from turgor.core.solvers.continuation.guide import check_guide
+from turgor.core.solvers.guide import check_guide
 from turgor.core.solvers.listeners import Listeners
 from turgor.core.solvers.path_outcomes import limit_point_findings, unwatched_stability
 from turgor.core.solvers.problem import Problem
@@ -33,6 +33,7 @@ from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.progress.watchers import Progress as Progress
 from turgor.core.solvers.progress.watchers import watched
 from turgor.core.solvers.restart import Restart
+from turgor.core.solvers.row_guide import guide_of
 from turgor.core.solvers.solution import Solution, SolveError, State, Status, Timing
 from turgor.core.solvers.stage_sequence import Follow, solve_stages
 from turgor.foundation.finding import by_weight, show_warning
@@ -245,6 +246,9 @@ def _solved(
         if restart is not None:
             restart.restore(system)
             history = restart.history(system)
+        leading = perf_counter()
+        guide = None if restart is not None else guide_of(question.guide, system, tangent, procedure, options)
+        leading = perf_counter() - leading
         problem = Problem(
             system=system,
             tangent=tangent,
@@ -252,11 +256,11 @@ def _solved(
             restart=restart,
             history=history,
             record=None if stage is None else stage.of(system),
-            guide=question.guide,
+            guide=guide,
         )
         problem.take_over()
         outcome = procedure.follow(problem)
-    timing = _timing(tangent, compiling, setup, start)
+    timing = _timing(tangent, (compiling, setup, leading), start)
     findings = (
         *meeting_walls(model, problem.states),
         *deep_penetrations(problem.states),
@@ -284,12 +288,13 @@ def _solved(
     return solution, Restart.of(system, problem.states[-1])
 
 
-def _timing(tangent: Tangent, compiling: float, setup: float, start: float) -> Timing:
-    """Where the time since ``start`` went."""
-    clock = tangent.clock
+def _timing(tangent: Tangent, before: tuple[float, float, float], start: float) -> Timing:
+    """Where the time since ``start`` went; ``before`` is that of compilation, setup and the guide."""
+    clock, (compiling, setup, leading) = tangent.clock, before
     return Timing(
         compile=compiling,
         setup=setup,
+        guide=leading,
         assembly=clock.assembly,
         residual=clock.residual,
         factorization=clock.factorization,

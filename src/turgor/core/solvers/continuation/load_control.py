@@ -13,7 +13,6 @@ from turgor.core.model.drive import kinks
 from turgor.core.solvers.checks.distortion import distortion_text
 from turgor.core.solvers.constraints.clock import Clock
 from turgor.core.solvers.constraints.loads import load_control
-from turgor.core.solvers.continuation.guide import MOST_FAILED, Guide
 from turgor.core.solvers.continuation.path_follower import follow, noted
 from turgor.core.solvers.continuation.path_points import nothing, plain_point, settings_of
 from turgor.core.solvers.continuation.path_run import Ending, Judgment, Point, Rescue, Run, StepMemory, Task, Turn
@@ -22,6 +21,7 @@ from turgor.core.solvers.continuation.settings import LOAD_CONTROL
 from turgor.core.solvers.continuation.step_acceptance import turns_aside, why_rejected
 from turgor.core.solvers.continuation.step_control import StepControl, in_vain
 from turgor.core.solvers.continuation.tangent_response import others_move, rate_at, response_in_step
+from turgor.core.solvers.guide import Guide
 from turgor.core.solvers.newton.line_search import evaluate
 from turgor.core.solvers.newton.newton_values import NewtonResult, Start
 from turgor.core.solvers.newton.pseudo_transient import pseudo_transient
@@ -59,7 +59,7 @@ def load_run(
         Filled with the last points.
     """
     system, turns = problem.system, kinks(problem.system.model)
-    guide = None if problem.guide is None else Guide.of(system, problem.guide)
+    guide = problem.guide
     if stop is not None:
         problem = replace(problem, listeners=replace(problem.listeners, stop=stop))
     task = Task(
@@ -132,6 +132,8 @@ class LoadStrategy:
         """The parameter to try next: supports move nearly straight on the way, and walls meet gently at its end."""
         now = run.history[-1].parameter
         load = run.stepping.next_load(now)
+        if self.guide is not None and self._guides(run, load):
+            load = self.guide.next_load(now, load)
         while load - now > run.stepping.min_step and turns_aside(run.task.system, now, load):
             load = now + 0.5 * (load - now)
         if run.task.tangent.plain or self._guides(run, load):
@@ -170,7 +172,9 @@ class LoadStrategy:
             return memory
         failed = memory.failed_guides + 1
         return replace(
-            memory, failed_guides=failed, guided_until=run.history[-1].parameter if failed >= MOST_FAILED else None
+            memory,
+            failed_guides=failed,
+            guided_until=run.history[-1].parameter if self.guide.misleads(failed) else None,
         )
 
     def judge(self, run: Run, result: NewtonResult, parameter: float) -> Judgment:

@@ -39,10 +39,13 @@ class Guide:
         Load factors, rising.
     unknowns : sequence of (size,) array
         Scaled unknowns at them.
+    exact : bool
+        Whether steps go from state to state of it: between two of them it says nothing.
     """
 
     loads: Sequence[float]
     unknowns: Sequence[Array]
+    exact: bool = False
 
     @staticmethod
     def of(system: System, solution: Solution) -> "Guide":
@@ -55,6 +58,14 @@ class Guide:
     def leads_to(self, load: float) -> bool:
         """Whether it reaches a load factor."""
         return load <= self.loads[-1]
+
+    def next_load(self, now: float, wanted: float) -> float:
+        """Return the load factor to try next from one of now: the one that is wanted, or that of the next state."""
+        return next((load for load in self.loads if load > now), wanted) if self.exact else wanted
+
+    def misleads(self, failed: int) -> bool:
+        """Whether so many attempts that failed are enough to go on without it."""
+        return failed >= (1 if self.exact else MOST_FAILED)
 
     def at(self, load: float) -> Array:
         """Unknowns at a load factor, on the line between two states."""
@@ -86,21 +97,26 @@ def check_guide(model: Model, procedure: Procedure, guide: Solution) -> None:
 
 def _check_guided(model: Model, procedure: Procedure) -> None:
     """Refuse a guide where the path depends on more than the load."""
+    if why := unguided(model, procedure):
+        raise TurgorError(why)
+
+
+def unguided(model: Model, procedure: Procedure) -> str:
+    """Say why no guide can lead along the path of a model, because that depends on more than the load; else nothing."""
     if not procedure.load_control or procedure.duration is not None:
         name = type(procedure).__name__
         name += f" with a duration of {procedure.duration:g} s" if procedure.duration is not None else ""
-        raise TurgorError(f"guide leads the steps of Static without a duration; the procedure is {name}.")
+        return f"guide leads the steps of Static without a duration; the procedure is {name}."
     for name, each in model.region_materials.items():
         if each.remembers:
-            raise TurgorError(f"guide leaves out states, and the rubber of '{name}' remembers them; solve without it.")
+            return f"guide leaves out states, and the rubber of '{name}' remembers them; solve without it."
     if model.bonds:
-        raise TurgorError(
-            f"guide leaves out states, and the bond '{model.bonds[0].name}' remembers them; solve without it."
-        )
+        return f"guide leaves out states, and the bond '{model.bonds[0].name}' remembers them; solve without it."
     for what in filter(None, (load.path_dependent for load in model.loads)):
-        raise TurgorError(f"guide leaves out states, and {what} depends on them; solve without it.")
+        return f"guide leaves out states, and {what} depends on them; solve without it."
     if (friction := max(_friction(model))) > 0:
-        raise TurgorError(f"guide leaves out states, and friction {friction:g} depends on them; solve without it.")
+        return f"guide leaves out states, and friction {friction:g} depends on them; solve without it."
+    return ""
 
 
 def _check_same_elements(model: Model, guide: Model) -> None:

@@ -1,0 +1,77 @@
+"""A row of equal chambers that the path of a shorter one leads: the same states in fewer iterations, or none at all.
+
+The reference is the path of the whole row without a guide, on the same mesh.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import turgor as tg
+from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.meshing.sweeping.section import Fineness
+from turgor.core.meshing.sweeping.swept import swept_mesh
+from turgor.core.solvers import row_guide
+from turgor.core.solvers.guide import Guide
+from turgor.core.solvers.row_guide import shorter_row
+from turgor.units import deg, kPa, mm
+
+
+@pytest.fixture(scope="module")
+def finger() -> tg.Model:
+    """Eight chambers of the coarsest cells; nothing else is so soft with so few unknowns."""
+    shape = FastPneuNet(chambers=8, length=79 * mm, height=12 * mm, width=16 * mm, base=0.0, floor=2 * mm)
+    mesh = replace(swept_mesh(shape.build(), Fineness(size=12 * mm, lines="none")), serendipity=True)
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=30 * kPa))
+    return tg.Model(mesh, rubber, supports=["fixed"], loads=[tg.Pressure("cavity", 7 * kPa)])
+
+
+@pytest.fixture(scope="module")
+def alone(finger: tg.Model) -> tg.Solution:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(row_guide, "short_row", lambda mesh: None)
+        return tg.solve(finger, tg.Static(at=(0.25, 0.5, 0.75)))
+
+
+def angles(solution: tg.Solution) -> list[float]:
+    return [tg.bending_angle(state) / deg for state in solution.states if state.load_factor in (0.25, 0.5, 0.75, 1.0)]
+
+
+def test_row_is_led_to_the_states_of_its_own_path(
+    finger: tg.Model, alone: tg.Solution, record_verification: Callable[..., None]
+) -> None:
+    texts: list[str] = []
+    led = tg.solve(finger, options=tg.EngineOptions(notify=texts.append))
+    assert [state.load_factor for state in led.states] == [0.0, 0.25, 0.5, 0.75, 1.0]
+    record_verification(
+        claim="eight chambers without a layer, led by the path of five: bending angle [°]",
+        source="the path of the eight",
+        expected=angles(alone)[-1],
+        got=angles(led)[-1],
+        tolerance="5e-5, the tolerance of both in a soft body",
+    )
+    assert angles(led) == pytest.approx(angles(alone), rel=5e-5)
+    assert led.iterations < 0.4 * alone.iterations
+    assert any("3 of its equal parts" in text for text in texts)
+    assert 0 < led.timing.guide < led.timing.total
+
+
+def test_guide_of_a_row_leads_from_state_to_state_until_one_fails() -> None:
+    guide = Guide([0.0, 0.25, 1.0], [np.zeros(3)] * 3, exact=True)
+    assert [guide.next_load(now, now + 0.1) for now in (0.0, 0.1, 0.25)] == [0.25, 0.25, 1.0]
+    assert not guide.misleads(0)
+    assert guide.misleads(1)
+    assert replace(guide, exact=False).next_load(0.0, 0.1) == 0.1
+
+
+def test_only_pressure_and_few_loads_are_led(finger: tg.Model) -> None:
+    assert shorter_row(finger, tg.Static()) is not None
+    assert shorter_row(finger, tg.Static(max_step=0.1)) is None
+    assert shorter_row(finger, tg.Static(duration=2.0)) is None
+    assert shorter_row(replace(finger, contact=tg.Contact(self_contact=False)), tg.Static()) is None
+    pulled = replace(finger, loads=[*finger.loads, tg.loads.Force("tip", (0.0, 0.0, -0.1))])
+    assert shorter_row(pulled, tg.Static()) is None
+    falling = replace(finger, loads=[tg.Pressure("cavity", 7 * kPa, history=[(0, 0), (0.5, 1), (1, 0.5)])])
+    assert shorter_row(falling, tg.Static()) is None
