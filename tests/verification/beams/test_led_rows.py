@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.system import System
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import swept_mesh
@@ -40,8 +42,10 @@ def angles(solution: tg.Solution) -> list[float]:
 
 
 def test_row_is_led_to_the_states_of_its_own_path(
-    finger: tg.Model, alone: tg.Solution, record_verification: Callable[..., None]
+    finger: tg.Model, alone: tg.Solution, monkeypatch: pytest.MonkeyPatch, record_verification: Callable[..., None]
 ) -> None:
+    """Its walls come near each other and do not meet, so that the test is short; the demo is led where they do."""
+    monkeypatch.setattr(row_guide, "_walls_meet", lambda system, tangent: True)
     texts: list[str] = []
     led = tg.solve(finger, options=tg.EngineOptions(notify=texts.append))
     assert [state.load_factor for state in led.states] == [0.0, 0.25, 0.5, 0.75, 1.0]
@@ -64,6 +68,16 @@ def test_guide_of_a_row_leads_from_state_to_state_until_one_fails() -> None:
     assert not guide.misleads(0)
     assert guide.misleads(1)
     assert replace(guide, exact=False).next_load(0.0, 0.1) == 0.1
+
+
+def test_walls_that_hardly_meet_are_not_worth_a_guide(finger: tg.Model) -> None:
+    shorter = shorter_row(finger, tg.Static())
+    assert shorter is not None
+    results = []
+    for pressure in (1 * kPa, 14 * kPa):
+        system = System(replace(finger, mesh=shorter.mesh, loads=[tg.Pressure("cavity", pressure)]))
+        results.append(row_guide._walls_meet(system, Tangent(system, "rslab", 1)))
+    assert results == [False, True]
 
 
 def test_only_pressure_and_few_loads_are_led(finger: tg.Model) -> None:

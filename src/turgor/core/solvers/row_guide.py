@@ -23,6 +23,7 @@ from turgor.core.model.loads import pressures_among
 from turgor.core.model.model import Model
 from turgor.core.solvers.continuation.load_control import load_run
 from turgor.core.solvers.continuation.path_follower import follow
+from turgor.core.solvers.continuation.tangent_response import load_response
 from turgor.core.solvers.guide import Guide, unguided
 from turgor.core.solvers.problem import Problem
 from turgor.core.solvers.procedures.procedure import Procedure
@@ -42,10 +43,14 @@ class RowGuideSettings:
         Unknowns of the row from which on a shorter one is solved first.
     most_loads : int
         Requested load factors at most: with more, the steps between them are short without a guide.
+    meeting : float
+        Share of the displacement under the full load, by the stiffness at rest, at which walls touch in a row worth
+        leading. Where they never do, the path takes few steps alone.
     """
 
     fewest: int = 10_000
     most_loads: int = 8
+    meeting: float = 0.5
 
 
 ROW_GUIDE = RowGuideSettings()
@@ -92,6 +97,8 @@ def row_guide(system: System, tangent: Tangent, procedure: StepOptions, options:
     (options.notify or logging.getLogger("turgor").info)(text)
     short, loads = replace(system.model, mesh=row.mesh), _loads(procedure)
     states = _path(short, replace(procedure, at=loads), tangent, options)
+    if not states:
+        return None
     placed = _Placed.of(row, system.model, short)
     unknowns = [placed.unknowns(system, state) for state in states]
     return Guide([0.0, *(state.load_factor for state in states)], [np.zeros(system.size), *unknowns], exact=True)
@@ -128,14 +135,25 @@ def _loads(procedure: StepOptions) -> tuple[float, ...]:
 
 
 def _path(short: Model, procedure: StepOptions, tangent: Tangent, options: EngineOptions) -> list[State]:
-    """States of the shorter row at the requested loads, as far as it gets."""
+    """States of the shorter row at the requested loads, as far as it gets; none where its walls stay apart."""
     system = System(short)
     threads = options.threads if system.size >= ROW_GUIDE.fewest else 1
     solver = Tangent(system, options.linear_solver, threads, options.iteration)
     solver.clock = tangent.clock
+    if not _walls_meet(system, solver):
+        return []
     problem = Problem(system=system, tangent=solver, history=system.history(step=np.inf))
     follow(load_run(problem, procedure, patient=False))
     return [state for state in problem.states if state.load_factor in procedure.at]
+
+
+def _walls_meet(system: System, tangent: Tangent) -> bool:
+    """Whether walls touch long before the full load, by the stiffness at rest."""
+    rest = system.evaluate(np.zeros(system.size), 0.0)
+    assert rest is not None
+    tangent.factor(rest)
+    share = ROW_GUIDE.meeting
+    return system.contacts(share * load_response(system, tangent, rest.unknowns), share).touch
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -22,8 +22,8 @@ class Static(StepOptions):
     first_step : float [-]
         First increment of the load factor, at the start and after every point of a pressure's history, in (0, 1].
     max_step : float [-]
-        Largest increment, in (0, 1]. The states of a row of equal chambers, which the path of a shorter one leads, are so
-        far apart.
+        Largest increment, in (0, 1]. So far apart are the states of a row of equal chambers whose walls meet, which the
+        path of a shorter one leads.
     min_step : float [-]
         Smallest increment before the solve stops, in (0, first_step].
     at : tuple of float [-]
