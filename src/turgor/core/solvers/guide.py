@@ -67,10 +67,6 @@ class Guide:
         """Whether so many attempts that failed are enough to go on without it."""
         return failed >= (1 if self.exact else MOST_FAILED)
 
-    def ahead(self, load: float, last: Array, now: float) -> Array:
-        """Unknowns at a load factor: those of an exact guide, or the last ones, at a load factor of now, moved on."""
-        return self.at(load).copy() if self.exact else last + self.at(load) - self.at(now)
-
     def at(self, load: float) -> Array:
         """Unknowns at a load factor, on the line between two states."""
         after = min(max(bisect_left(self.loads, load), 1), len(self.loads) - 1)

@@ -158,10 +158,10 @@ class LoadStrategy:
         return self.guide is not None and run.memory.guided_until is None and self.guide.leads_to(load)
 
     def _guided(self, run: Run, parameter: float) -> Evaluation | None:
-        """Where the guide leads; None where that turns a cell inside out."""
+        """The last state moved on as the guide moves; None where that turns a cell inside out."""
         assert self.guide is not None
         last, prescribed = run.history[-1], run.task.system.prescribed
-        unknowns = self.guide.ahead(parameter, last.unknowns, last.parameter)
+        unknowns = last.unknowns + self.guide.at(parameter) - self.guide.at(last.parameter)
         unknowns[prescribed] = last.unknowns[prescribed]
         return evaluate(run.constraint, run.task.tangent, (unknowns, last.scalars), parameter)
 
