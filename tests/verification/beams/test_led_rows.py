@@ -5,6 +5,7 @@ The reference is the path of the whole row without a guide, on the same mesh.
 
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -60,6 +61,39 @@ def test_row_is_led_to_the_states_of_its_own_path(
     assert led.iterations < 0.4 * alone.iterations
     assert any("3 of its equal parts" in text for text in texts)
     assert 0 < led.timing.guide < led.timing.total
+
+
+def test_run_that_was_ended_is_led_to_its_end(
+    finger: tg.Model, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(row_guide, "_walls_meet", lambda system, tangent: True)
+    end = tg.Static(max_step=0.5)
+
+    def kill(_: object, state: tg.solutions.State | None) -> None:
+        if state is not None:
+            raise RuntimeError("killed")
+
+    with pytest.raises(RuntimeError):
+        tg.solve(finger, end, folder=tmp_path / "path", progress=kill)
+    resumed, whole = tg.resume(tmp_path / "path"), tg.solve(finger, end)
+    assert [step.load_factor for step in resumed.steps] == [0.5, 1.0]
+    assert np.array_equal(resumed.states[-1].displacement, whole.states[-1].displacement)
+
+
+def test_parts_that_do_not_follow_one_motion_do_not_fit(finger: tg.Model) -> None:
+    shorter = shorter_row(finger, tg.Static())
+    assert shorter is not None
+    short = replace(finger, mesh=shorter.mesh)
+    placed = row_guide._Placed.of(shorter, finger, short)
+    points = shorter.mesh.points
+    turn = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
+    moved = tg.solutions.State(
+        model=short, load_factor=1.0, displacement=points @ turn.T - points, mean_stress=np.zeros(0), nodal_force=points
+    )
+    assert placed.fits(moved)
+    bulged = moved.displacement.copy()
+    bulged[shorter.ends[1][0]] += 0.1 * mm
+    assert not placed.fits(replace(moved, displacement=bulged))
 
 
 def test_guide_of_a_row_leads_from_state_to_state_until_one_fails() -> None:
