@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager, suppress
+from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
@@ -12,7 +12,6 @@ from turgor.accuracy.adaptivity.findings import matter, mesh_error_findings
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.warmup.compiling import announce_needs
 from turgor.core.model.model import Model
-from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.measures.measures import find_measure
 from turgor.core.setups.with_setup import with_choices
 from turgor.core.solvers.checkpoints.record import INDEX, Question, RunRecord
@@ -97,7 +96,7 @@ def run_job(
     with claimed(chosen, force, resume) as folder, watched(progress) as watcher:
         files = GrowingFiles(folder, replace(job, threads=options.threads), notify or watcher.notify or silent)
         options = replace(options, notify=files.say)
-        with _earlier_results(folder):
+        with _earlier_results(folder), closing(files):
             record = _record(files, options, resume)
             early = matter(record.question.findings or (), bool(job.output.mesh_error))
             for each in early:
@@ -215,7 +214,7 @@ def _written(
     Fields and pictures are written while the second mesh is solved: that leaves processors idle, and they need no
     mesh error.
     """
-    solution, path = outcome.solution, PathFields(outcome.solution)
+    solution, path = outcome.solution, files.fields(outcome.solution)
     pool = ThreadPoolExecutor(1)
     try:
         estimate = pool.submit(_with_errors, outcome.job, outcome.response, solution, options, bool(refined))
