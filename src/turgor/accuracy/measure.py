@@ -63,7 +63,8 @@ def measure(
     response = read(solution, *chosen)
     if not mesh_error:
         return response
-    return with_mesh_error(response, mesh_error_of(solution, chosen, options, linear=mesh_error == LINEAR))
+    estimate = mesh_error_of(solution, chosen, options, linear=mesh_error == LINEAR, known=response)
+    return with_mesh_error(response, estimate)
 
 
 def mesh_error_of(
@@ -72,6 +73,7 @@ def mesh_error_of(
     options: EngineOptions | None = None,
     refined_before: bool = False,
     linear: bool = False,
+    known: Response | None = None,
 ) -> MeshError:
     """Estimate the mesh error of all that `measure` reads, including the pressures that a procedure found.
 
@@ -85,13 +87,15 @@ def mesh_error_of(
         Whether the mesh was refined where the error comes from.
     linear : bool
         Whether one linear solve is enough.
+    known : Response, optional
+        What was read of the path, which need not be read again.
 
     Returns
     -------
     MeshError
     """
     chosen = (*_unknown_pressures(solution), *chosen_measures(solution, measures))
-    return estimate_mesh_error(solution, chosen, options, refined_before, linear)
+    return estimate_mesh_error(solution, chosen, options, refined_before, linear, known)
 
 
 def with_mesh_error(response: Response, estimate: MeshError) -> Response:

@@ -1,16 +1,17 @@
 """Run of a job: mesh, solve, measure, and write the folder of results."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager, suppress
-from dataclasses import replace
+from contextlib import closing, contextmanager, suppress
+from dataclasses import dataclass, replace
+from importlib import import_module
 from pathlib import Path
+from threading import Thread
 
 from turgor.accuracy.adaptivity.findings import matter, mesh_error_findings
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.warmup.compiling import announce_needs
 from turgor.core.model.model import Model
-from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.measures.measures import find_measure
 from turgor.core.setups.with_setup import with_choices
 from turgor.core.solvers.checkpoints.record import INDEX, Question, RunRecord
@@ -36,6 +37,9 @@ from turgor.job.output.versions import versions
 from turgor.job.prepare import Notify, prepare, silent
 
 Report = Callable[[Finding], None]
+
+#: What takes long to load and is needed after the solve: for the estimate, pictures and report; where walls may touch.
+AFTERWARDS, TOUCHING = ("turgor.accuracy.measure", "turgor.job.output.write"), ("scipy.spatial",)
 
 
 def run_job(
@@ -92,7 +96,7 @@ def run_job(
     with claimed(chosen, force, resume) as folder, watched(progress) as watcher:
         files = GrowingFiles(folder, replace(job, threads=options.threads), notify or watcher.notify or silent)
         options = replace(options, notify=files.say)
-        with _earlier_results(folder):
+        with _earlier_results(folder), closing(files):
             record = _record(files, options, resume)
             early = matter(record.question.findings or (), bool(job.output.mesh_error))
             for each in early:
@@ -161,7 +165,7 @@ def _solved(files: GrowingFiles, record: RunRecord, options: EngineOptions, prog
     """Solve a job, refine its mesh where it has a target, measure, and write all files; tables if the user ended it."""
     findings = record.question.findings or ()
     files.say("solving")
-    record.on_checkpoint = lambda: files.grow(record)
+    record.on_checkpoint = _AtCheckpoints(files, record, ahead=options.threads > 1)
     question = replace(record.question, options=options)
     solution = follow_question(question, Listeners(progress), record, throw=False)
     if solution.status is Status.INTERRUPTED:
@@ -175,6 +179,33 @@ def _solved(files: GrowingFiles, record: RunRecord, options: EngineOptions, prog
     return _written(files, outcome, refined, options)
 
 
+@dataclass(slots=True)
+class _AtCheckpoints:
+    """What a run does at each checkpoint.
+
+    If ``ahead``, the first one begins to load what is needed after the solve on another thread: the solve leaves
+    processors idle.
+    """
+
+    files: GrowingFiles
+    record: RunRecord
+    ahead: bool
+
+    def __call__(self) -> None:
+        if self.ahead:
+            self.ahead = False
+            model = self.record.question.model
+            touching = model.contact.for_mesh(model.mesh) is not None
+            Thread(target=_load, args=((*AFTERWARDS, *(TOUCHING if touching else ())),), name="turgor-loads").start()
+        self.files.grow(self.record)
+
+
+def _load(names: Sequence[str]) -> None:
+    with suppress(Exception):  # it is raised again where the module is needed
+        for name in names:
+            import_module(name)
+
+
 def _written(
     files: GrowingFiles, outcome: RunOutcome, refined: tuple[Finding, ...], options: EngineOptions
 ) -> RunOutcome:
@@ -183,12 +214,12 @@ def _written(
     Fields and pictures are written while the second mesh is solved: that leaves processors idle, and they need no
     mesh error.
     """
-    from turgor.job.output.write import draw_path, write_results  # here: it loads what draws
-
-    solution, path = outcome.solution, PathFields(outcome.solution)
+    solution, path = outcome.solution, files.fields(outcome.solution)
     pool = ThreadPoolExecutor(1)
     try:
         estimate = pool.submit(_with_errors, outcome.job, outcome.response, solution, options, bool(refined))
+        from turgor.job.output.write import draw_path, write_results  # here: it loads what draws
+
         draw_path(outcome, files.say, path)
         response, unknown = estimate.result()
     finally:
@@ -234,7 +265,7 @@ def _with_errors(
     if options.notify is not None:
         options.notify("estimating the mesh error")
     measures = job.output.chosen()
-    estimate = mesh_error_of(solution, measures, options, refined, job.output.mesh_error == LINEAR)
+    estimate = mesh_error_of(solution, measures, options, refined, job.output.mesh_error == LINEAR, response)
     if options.notify is not None and estimate.states:
         options.notify(
             f"mesh error from a second mesh of {estimate.unknowns} unknowns in {estimate.seconds:.1f} s; "

@@ -30,6 +30,7 @@ from turgor.core.solvers.remeshing.refine import ALL_CUT, refined
 from turgor.core.solvers.solution import Solution, State
 from turgor.foundation.display import brief
 from turgor.foundation.finding import Finding, Severity
+from turgor.foundation.response import Response
 
 Array = NDArray[np.float64]
 
@@ -67,6 +68,7 @@ def estimate_mesh_error(
     options: EngineOptions | None = None,
     refined_before: bool = False,
     linear: bool = False,
+    known: Response | None = None,
 ) -> MeshError:
     """Estimate the mesh error of measures at every state of a path.
 
@@ -81,6 +83,8 @@ def estimate_mesh_error(
     linear : bool
         Whether one linear solve on the second mesh is enough, of all measures at the last state. What it gives is the
         residual on that mesh, weighted with the adjoint of each measure there, since both follow from one tangent.
+    known : Response, optional
+        Measures of the path that need not be read again.
 
     Returns
     -------
@@ -92,10 +96,10 @@ def estimate_mesh_error(
     if paired is None or not paired.pairs:
         unknown = {each.name: np.full(len(solution.states), np.nan) for each in measures}
         return MeshError(errors=unknown, finding=_not_estimated(reason or "no state was found on the second mesh"))
-    values = _read(solution.states, measures)
-    known = _read_again(solution, paired, measures, values)
+    values = _read(solution.states, measures, known)
+    again = _read_again(solution, paired, measures, values)
     errors = {
-        each.name: _along_path(path_length(solution), each, (values[:, k], known[:, k]), paired)
+        each.name: _along_path(path_length(solution), each, (values[:, k], again[:, k]), paired)
         for k, each in enumerate(measures)
     }
     return MeshError(errors=errors, unknowns=paired.unknowns, states=tuple(paired.pairs), seconds=paired.seconds)
@@ -239,16 +243,18 @@ def _chosen(solution: Solution, count: int) -> list[int]:
     return out
 
 
-def _read(states: Sequence[State], measures: Sequence[Measure]) -> Array:
+def _read(states: Sequence[State], measures: Sequence[Measure], known: Response | None = None) -> Array:
     """Measures (n, m) of states on one mesh; the fields of a state are shared by its measures, then dropped."""
-    facts = MeshFacts(states[0].model.mesh)
-    alone = [k for k, each in enumerate(measures) if each.along is None]
-    out = np.empty((len(states), len(measures)))
+    facts, out = MeshFacts(states[0].model.mesh), np.empty((len(states), len(measures)))
+    new = [k for k, each in enumerate(measures) if known is None or each.name not in known]
+    alone = [k for k in new if measures[k].along is None]
     for number, state in enumerate(states):
         at = StateFields(state, facts)
         out[number, alone] = [measures[k](at) for k in alone]
     for k, each in enumerate(measures):
-        if each.along is not None:
+        if known is not None and each.name in known:
+            out[:, k] = known.column(each.name)
+        elif each.along is not None:
             out[:, k] = each.read([StateFields(state, facts) for state in states])
     return out
 

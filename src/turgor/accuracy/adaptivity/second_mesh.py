@@ -16,6 +16,8 @@ from turgor.core.engine.points.read_motion import motions
 from turgor.core.engine.runtime import EngineOptions
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.engine.transfer import FilmTransfer, Transfer
+from turgor.core.meshing.quality.quality_cache import hand_on
+from turgor.core.meshing.quality.self_contact import may_meet
 from turgor.core.meshing.refining.refinement import Refinement
 from turgor.core.meshing.refining.split_films import FilmRefinement
 from turgor.core.model.model import Model
@@ -107,6 +109,8 @@ class SecondMesh:
         for known, faces, system, tangent in self._known:
             if known is model and faces == controlled:
                 return system, tangent
+        if model.contact.automatic:
+            hand_on(may_meet, model.mesh, self.refinement.mesh)
         system = System(replace(model, mesh=self.refinement.mesh), controlled)
         if _touching(state):  # else the tangent would be analyzed again, with what touches
             at = system.evaluate(self._start(system, state), state.load_factor)

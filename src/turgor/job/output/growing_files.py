@@ -1,10 +1,16 @@
-"""Growing files: the response, the steps and the log of a run while it runs, so that nothing is lost with it."""
+"""Growing files: the response, the steps and the log of a run while it runs, so that nothing is lost with it.
+
+With several threads the states are measured on one of them, while the next step is solved.
+"""
 
 from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from time import perf_counter
 
+from turgor.core.engine.compiled import THREADS
+from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.measures.measures import Reader
 from turgor.core.solvers.checkpoints.record import RunRecord
 from turgor.core.solvers.load import PATH_FOLDER, saved_path
@@ -32,6 +38,7 @@ class GrowingFiles:
     folder : Path
         Of the results.
     job : Job
+        With the number of threads.
     notify : callable
         Where notices go besides the log.
 
@@ -46,6 +53,9 @@ class GrowingFiles:
     notify: Callable[[str], None]
     notices: list[str] = field(default_factory=list, init=False)
     _reader: Reader | None = None
+    _fields: PathFields | None = None
+    _worker: ThreadPoolExecutor | None = None
+    _writing: Future[None] | None = None
     _took: float = 0.0
     _ended: float = 0.0
     _begun: bool = False
@@ -85,21 +95,50 @@ class GrowingFiles:
     def grow(self, record: RunRecord) -> None:
         """Write the response and the steps of the path so far, and the last step into the log.
 
-        Tables of thousands of rows are not written after every short step; the states themselves are on disk.
+        Tables of thousands of rows are not written after every short step; the states themselves are on disk. Nor are
+        they where those of the step before are still being written.
         """
-        path, began = record.paths()[-1], perf_counter()
+        path = record.paths()[-1]
         if path.steps:
             factor, iterations = path.states[-1].load_factor, path.steps[-1].iterations
             self._log(f"step {len(path.steps)}: load factor {factor:.6g}, {iterations} iterations")
-        if self._took > AT_ONCE and self._took > SHARE * (began - self._ended):
+        if self._writing is not None and not self._writing.done():
             return
-        solution = saved_path(record)
-        self.response(solution).to_csv(self.folder / RESPONSE)
+        self.close()
+        if self._took > AT_ONCE and self._took > SHARE * (perf_counter() - self._ended):
+            return
+        if self.job.threads == 1:
+            self._write(saved_path(record))
+            return
+        # its loops stay on that thread, because the solve needs the others
+        self._worker = self._worker or ThreadPoolExecutor(1, "turgor-tables", THREADS.set, (1,))
+        self._writing = self._worker.submit(self._write, saved_path(record))
+
+    def _write(self, solution: Solution) -> None:
+        began = perf_counter()
+        self._measured(solution).to_csv(self.folder / RESPONSE)
         write_steps(self.folder / STEPS, solution)
         self._ended = perf_counter()
         self._took = self._ended - began
 
+    def close(self) -> None:
+        """Wait until what was begun is written; an error of it is raised here."""
+        writing, self._writing = self._writing, None
+        if writing is not None:
+            writing.result()
+
     def response(self, solution: Solution) -> Response:
         """Return what the job measures of a path; states that were measured before are not measured again."""
-        self._reader = self._reader or Reader(self.job.output.chosen())
-        return self._reader.response(solution)
+        self.close()
+        return self._measured(solution)
+
+    def fields(self, solution: Solution) -> PathFields:
+        """Return the fields of a path, those of the states that were measured among them."""
+        self._fields = PathFields(solution) if self._fields is None else self._fields.grown(solution)
+        return self._fields
+
+    def _measured(self, solution: Solution) -> Response:
+        output = self.job.output
+        self._reader = self._reader or Reader(output.chosen())
+        shown = output.fields or output.report  # what is drawn of all states
+        return self._reader.response(solution, self.fields(solution) if shown else None)

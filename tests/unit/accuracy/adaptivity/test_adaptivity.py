@@ -12,6 +12,8 @@ from turgor.accuracy.adaptivity.findings import mesh_error_findings
 from turgor.accuracy.adaptivity.mesh_error import find_again, path_length
 from turgor.accuracy.measure import mesh_error_of
 from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.meshing.quality.proximity import find_facing_walls
+from turgor.core.meshing.quality.self_contact import may_meet
 from turgor.core.results.error_text import with_error
 from turgor.core.solvers.remeshing.indicator import error_indicator, squared_errors
 from turgor.core.solvers.remeshing.refine import refined
@@ -65,6 +67,35 @@ def test_what_remains_on_the_second_mesh_scales_the_difference_more_for_stresses
     measure = tg.measures.von_mises_p99
     error = mesh_error_of(bent, (measure,)).errors[measure.name][-1]
     assert error >= paired.factor(local=True) * abs(measure(second) - measure(first))
+
+
+def test_what_was_read_of_the_path_is_not_read_again(bent):
+    read = []
+
+    def rise(at):
+        read.append(at.mesh)
+        return float(at.displacement[:, 2].max())
+
+    measure = tg.measures.Measure(name="rise", unit="mm", function=rise, definition="largest displacement along z")
+    response, new = tg.measure(bent, measure, mesh_error=False), mesh_error_of(bent, (measure,))
+    read.clear()
+    known = mesh_error_of(bent, (measure,), known=response)
+    assert read and all(mesh is not bent.model.mesh for mesh in read)
+    assert known.errors["rise"] == pytest.approx(new.errors["rise"])
+
+
+def test_walls_that_may_meet_are_those_of_the_first_mesh(bent, monkeypatch):
+    searched, search = [], find_facing_walls
+
+    def noted(mesh):
+        searched.append(mesh)
+        return search(mesh)
+
+    monkeypatch.setattr("turgor.core.meshing.quality.self_contact.find_facing_walls", noted)
+    find_again.cache_clear()
+    paired = find_again(bent, tg.EngineOptions(threads=1))
+    assert may_meet(paired.pairs[max(paired.pairs)].model.mesh)
+    assert all(mesh is bent.model.mesh for mesh in searched)
 
 
 def test_every_measure_of_every_state_has_its_mesh_error(bent):

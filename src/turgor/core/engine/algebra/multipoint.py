@@ -11,7 +11,7 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from turgor.core.engine.algebra.pattern import Pattern, locate, scatter_add
+from turgor.core.engine.algebra.pattern import Pattern, scatter_add, spread_entries
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -92,43 +92,12 @@ class MultiPoint:
         return np.concatenate([rows, *(np.where(nodes >= 0, 3 * nodes + i, -1) for i in range(3))], axis=1)
 
     def places(self, pattern: Pattern) -> "Places":
-        """Where the entries of the followers go in a pattern that has room for them.
-
-        An entry off the diagonal stands for its mirror image too: each pair of leaders has it once, one leader twice.
-        """
-        spread = self.spread(pattern.size)
+        """Where the entries of the followers go in a pattern that has room for them."""
         follows = np.zeros(pattern.size, dtype=bool)
         follows[self.followers] = True
-        columns = np.repeat(np.arange(pattern.size), np.diff(pattern.indptr))
-        rows = pattern.indices.astype(np.int64)
-        follows &= _coupled(rows, columns, pattern.size)  # the stiffness of the others is zero
-        sources = np.flatnonzero(follows[rows] | follows[columns])
-        entry, first = _expanded(spread, rows[sources])
-        source, at_first = sources[entry], spread.data[first]
-        again, second = _expanded(spread, columns[source])
-        source, to_row, to_column = source[again], spread.indices[first[again]], spread.indices[second]
-        weights = at_first[again] * spread.data[second]
-        diagonal = rows[source] == columns[source]
-        weights = np.where(~diagonal & (to_row == to_column), 2.0 * weights, weights)
-        lower = (~diagonal | (to_row >= to_column)) & (weights != 0)
-        targets = locate(pattern.indptr, pattern.indices, to_row[lower].astype(np.int64), to_column[lower])
-        return Places(source[lower], targets, weights[lower])
-
-
-def _coupled(rows: Ints, columns: Ints, size: int) -> NDArray[np.bool_]:
-    """Which unknowns have an entry off the diagonal."""
-    out, off = np.zeros(size, dtype=bool), rows != columns
-    out[rows[off]] = True
-    out[columns[off]] = True
-    return out
-
-
-def _expanded(spread: sp.csr_matrix, rows: Ints) -> tuple[Ints, Ints]:
-    """All entries of some rows of a matrix: the place of the row in the list, and the place of the entry."""
-    count = np.diff(spread.indptr)[rows].astype(np.int64)
-    place = np.repeat(np.arange(len(rows)), count)
-    before = np.cumsum(count) - count
-    return place, spread.indptr[rows][place] + np.arange(count.sum()) - before[place]
+        entries = np.bincount(pattern.indices, minlength=pattern.size) + np.diff(pattern.indptr)
+        follows &= entries > 2  # the stiffness of the others is zero
+        return Places(*spread_entries(pattern, self.spread(pattern.size), follows))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

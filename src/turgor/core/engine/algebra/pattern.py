@@ -164,17 +164,64 @@ def locate(indptr, indices, rows, columns):
     """Positions of entries (row, column), swapped into the lower triangle where needed, (k,) int32; -1 if absent."""
     out = np.empty(len(rows), dtype=np.int32)
     for k in range(len(rows)):
-        row = max(rows[k], columns[k])
-        column = min(rows[k], columns[k])
-        low, high = indptr[column], indptr[column + 1]
-        while low < high:
-            middle = (low + high) // 2
-            if indices[middle] < row:
-                low = middle + 1
-            else:
-                high = middle
-        out[k] = low if low < indptr[column + 1] and indices[low] == row else -1
+        out[k] = _position(indptr, indices, rows[k], columns[k])
     return out
+
+
+@njit(**INNER)
+def _position(indptr, indices, one, other):
+    row, column = max(one, other), min(one, other)
+    low, high = indptr[column], indptr[column + 1]
+    while low < high:
+        middle = (low + high) // 2
+        if indices[middle] < row:
+            low = middle + 1
+        else:
+            high = middle
+    return low if low < indptr[column + 1] and indices[low] == row else -1
+
+
+def spread_entries(
+    pattern: Pattern, spread: sp.csr_matrix, follows: NDArray[np.bool_]
+) -> tuple[Ints, NDArray[np.int32], NDArray[np.float64]]:
+    """Where entries in rows and columns of unknowns that follow go: from, to, and with which weights, (k,) each.
+
+    Row i of ``spread`` has the weights of the unknowns that unknown i stands for. An entry off the diagonal stands for
+    its mirror image too: each pair of leaders has it once, one leader twice.
+    """
+    ends = np.zeros(pattern.size + 1, dtype=np.int64)
+    none = np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int32), np.empty(0)
+    lower, rows = (pattern.indptr, pattern.indices), (spread.indptr, spread.indices, spread.data)
+    over(pattern.size, _spread_column, ends, none, lower, rows, follows)
+    np.cumsum(ends, out=ends)
+    count = int(ends[-1])
+    out = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int32), np.empty(count)
+    over(pattern.size, _spread_column, ends, out, lower, rows, follows)
+    return out
+
+
+@njit(**LOOP)
+def _spread_column(begin, end, ends, out, lower, spread, follows):
+    """Entries of each column; where there is no place for them, they are counted into the place after the column."""
+    (sources, targets, weights), (indptr, indices), (first, leaders, shares) = out, lower, spread
+    counts = len(sources) == 0
+    for column in range(begin, end):
+        free = 0 if counts else ends[column]
+        for k in range(indptr[column], indptr[column + 1]):
+            row = indices[k]
+            if not (follows[row] or follows[column]):
+                continue
+            for i in range(first[row], first[row + 1]):
+                for j in range(first[column], first[column + 1]):
+                    weight, one, other = shares[i] * shares[j], leaders[i], leaders[j]
+                    if weight == 0 or (row == column and one < other):
+                        continue
+                    if not counts:
+                        sources[free], targets[free] = k, _position(indptr, indices, one, other)
+                        weights[free] = 2 * weight if row != column and one == other else weight
+                    free += 1
+        if counts:
+            ends[column + 1] = free
 
 
 @njit(**LOOP)

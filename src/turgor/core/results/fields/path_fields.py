@@ -31,6 +31,15 @@ class PathFields:
         self._room = most // len(solution.model.mesh.points)
         self._cached: dict[int, StateFields] = {}
 
+    def grown(self, solution: Solution) -> "PathFields":
+        """The fields of a path that has grown; those that are saved of its states stay."""
+        if solution.model.mesh is not self.facts.mesh:
+            return PathFields(solution)
+        out = PathFields(solution, self.facts)
+        pairs = zip(self.solution.states, solution.states, strict=False)
+        out._cached = {row: self._cached[row] for row, (a, b) in enumerate(pairs) if a is b and row in self._cached}
+        return out
+
     def at(self, row: int) -> StateFields:
         """Return the fields of a state of the path by its number, which may be negative."""
         row %= len(self.solution.states)
