@@ -152,3 +152,13 @@ def test_predict_refuses_what_a_reduced_model_does_not_take(option, tmp_path):
     code, text = run("predict", str(reduced().save(tmp_path / "finger")), *option)
     assert code == 1
     assert option[0] in text
+
+
+@pytest.mark.parametrize("command", ["reduce", "section", "buckling"])
+def test_stages_are_refused_where_their_loads_would_be_passed_over(tmp_path, command):
+    job = tmp_path / "job.toml"
+    text = JOB.read_text(encoding="utf-8").replace("[procedure]", "[[stages]]").replace('type = "static"', 'name = "a"')
+    job.write_text(text, encoding="utf-8")
+    code, text = run(command, str(job), *(("--along", "loads.pressure=0..3 kPa") if command == "reduce" else ()))
+    assert code == 1
+    assert "[[stages]]" in text
