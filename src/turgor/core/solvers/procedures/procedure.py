@@ -6,7 +6,7 @@ What it leaves out has the default that stands here.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 from typing import Any, ClassVar
 
@@ -110,6 +110,10 @@ class Procedure:
         """Name the cavities for which it prescribes a value."""
         return ()
 
+    def emptied(self, model: Model) -> tuple[str, ...]:
+        """Name the cavities whose walls it may bring together."""
+        return ()
+
     def controlled(self, model: Model) -> tuple[str, ...]:
         """Name the cavities whose pressure is unknown, after a check that it can be found."""
         refuse_channels(model, type(self).__name__)
@@ -166,6 +170,23 @@ class Procedure:
     def findings(self, states: Sequence[Any]) -> tuple[Finding, ...]:
         """Return what the energies of the states show."""
         return ()
+
+
+def with_contact_within(model: Model, procedure: Procedure) -> Model:
+    """Return a model whose walls may touch within the cavities that a procedure empties, too.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Procedure
+        One, or stages.
+    """
+    emptied = {name for part in procedure.parts() for name in part.emptied(model)}
+    if not emptied or model.contact.self_contact is None:
+        return model
+    emptied |= set(model.contact.self_contact.cavities or ())
+    names = tuple(name for name in model.mesh.cavities if name in emptied)
+    return replace(model, contact=model.contact.with_cavities(names))
 
 
 def refuse_remeshing(model: Model) -> None:
