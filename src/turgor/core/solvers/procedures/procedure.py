@@ -11,6 +11,7 @@ from math import inf
 from typing import Any, ClassVar
 
 from turgor.core.model.model import Model
+from turgor.core.model.places import NodesAt
 from turgor.core.solvers.procedures.channel_flow import refuse_channels
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
@@ -211,8 +212,17 @@ def refuse_remeshing(model: Model) -> None:
         "liquid that flows through a channel cannot be carried over": any(load.channel for load in model.loads),
         "the damage of a bond cannot be carried over": bool(model.bonds),
     }
+    off = [each.name for each in _points_near(model) if not each.at_node(mesh)]
+    reasons |= {f"the node nearest to the point of '{name}' may be another one on finer cells": True for name in off}
     for reason, holds in reasons.items():
         if holds:
             raise TurgorError(
                 f"procedure.remesh: {reason}; leave remesh out, and mesh the body finer where it degrades."
             )
+
+
+def _points_near(model: Model) -> list[NodesAt]:
+    """Places of supports and loads that are the node nearest to a point."""
+    places = [getattr(each, "face", None) for each in (*model.supports, *model.loads)]
+    places += [place for each in model.supports for place, *_ in getattr(each, "terms", ())]
+    return [each for each in places if isinstance(each, NodesAt) and each.near is not None]
