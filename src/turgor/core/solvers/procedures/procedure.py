@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from math import inf
 from typing import Any, ClassVar
 
+from turgor.core.model.loads.channel import closed_cavities
 from turgor.core.model.model import Model
 from turgor.core.model.places import NodesAt
 from turgor.core.solvers.procedures.channel_flow import refuse_channels
@@ -174,7 +175,7 @@ class Procedure:
 
 
 def with_contact_within(model: Model, procedure: Procedure) -> Model:
-    """Return a model whose walls may touch within the cavities that a procedure empties, too.
+    """Return a model whose walls may touch within the cavities that a procedure empties, or liquid may flow out of.
 
     Parameters
     ----------
@@ -183,6 +184,7 @@ def with_contact_within(model: Model, procedure: Procedure) -> Model:
         One, or stages.
     """
     emptied = {name for part in procedure.parts() for name in part.emptied(model)}
+    emptied |= set(closed_cavities([*model.loads, *(load for stage in procedure.stages for load in stage.loads)]))
     if not emptied or model.contact.self_contact is None:
         return model
     emptied |= set(model.contact.self_contact.cavities or ())
