@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, output_option, requested_job
+from turgor.cli.options import Changes, Debug, JobFile, Json, job_without_stages, output_option, requested_job
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def buckling_command(
         from turgor.core.solvers.buckling.buckling_modes import buckling_modes
         from turgor.job.prepare import prepare
 
-        model, findings = prepare(requested_job(job, changes))
+        model, findings = prepare(job_without_stages(job, changes, "a buckling load"))
         modes = buckling_modes(model, _state_at(model, at) if at or starting_loads(model) else None, count)
         typer.echo("mode  load factor [-]")
         for number, factor in enumerate(modes.load_factors, start=1):

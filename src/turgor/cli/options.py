@@ -75,6 +75,27 @@ def requested_job(job: Path, changes: Sequence[str] | None) -> "Job":
     return read_job(job, parse_changes(changes or ()))
 
 
+def job_without_stages(job: Path, changes: Sequence[str] | None, what: str) -> "Job":
+    """Read a job as `requested_job`; refuse one with stages, of whose loads a command would see the first ones only.
+
+    Parameters
+    ----------
+    job, changes
+        As for `requested_job`.
+    what : str
+        What the command makes, for the message.
+    """
+    from turgor.foundation.errors import TurgorError
+
+    read = requested_job(job, changes)
+    if read.procedure.stages:
+        raise TurgorError(
+            f"stages: {what} follows from [loads] alone, and this job has stages; leave [[stages]] out, and state what "
+            "acts in [loads]."
+        )
+    return read
+
+
 def check_new(file: Path, force: bool, option: str) -> None:
     """Raise an error if a file exists that an option names, unless ``--force`` says that it may be replaced."""
     from turgor.foundation.errors import TurgorError

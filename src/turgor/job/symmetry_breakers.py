@@ -57,12 +57,31 @@ def _reasons(content: Mapping[str, Any]) -> Iterator[Reason]:
         yield AXES, AXES, f"point '{name}' is not known to stay in the plane or on the axis"
     for name in _table(content, "obstacles"):
         yield AXES, AXES, f"obstacle '{name}' is not known to be the same on both sides"
-    for name, fibers in _table(content, "fibers").items():
-        hand = fibers.get("hand") if isinstance(fibers, Mapping) else None
-        if isinstance(hand, str) and hand.lower() in ("right", "left"):
-            yield AXES, "", f"fibers on '{name}' wind in one hand"
-        if isinstance(fibers, Mapping) and fibers.get("form") == DISCRETE:
-            yield "", AXES, f"single threads on '{name}' do not end as they begin"
+    for name in _table(content, "fibers"):
+        yield from _of_fibers(name, _table(_table(content, "fibers"), name))
+    for name in _table(content, "bonds"):
+        yield from _of_limits(
+            f"the flaw of the bond '{name}'", _table(_table(_table(content, "bonds"), name), "unbonded")
+        )
+
+
+def _of_fibers(name: str, fibers: Mapping[str, Any]) -> Iterator[Reason]:
+    if "through" in fibers:
+        yield AXES, AXES, f"threads '{name}' run through points, which are not known to be the same on both sides"
+        return
+    hand = fibers.get("hand")
+    if isinstance(hand, str) and hand.lower() in ("right", "left"):
+        yield AXES, "", f"fibers on '{name}' wind in one hand"
+    if fibers.get("form") == DISCRETE:
+        yield "", AXES, f"single threads on '{name}' do not end as they begin"
+    yield from _of_limits(f"the winding '{name}'", _table(fibers, "within"))
+
+
+def _of_limits(what: str, limits: Mapping[str, Any]) -> Iterator[Reason]:
+    """Break the mirror planes across the axes along which a box is limited, and the turns that move it."""
+    for axis in AXES:
+        if f"{axis}_from" in limits or f"{axis}_to" in limits:
+            yield axis, AXES.replace(axis, ""), f"{what} has limits along {axis}"
 
 
 def _along(axes: Sequence[str], reason: str) -> Iterator[Reason]:

@@ -73,4 +73,4 @@ def test_file_has_no_internal_variables_and_answers_the_same(tmp_path):
     again = tg.load(reduced_lossy().save(tmp_path / "lossy"))
     times, pressures = [0.0, 1.0, 2.0], {"pressure": [0.0, 6e3, 2e3]}
     tips = [each.follow(times, pressures).tip for each in (reduced_lossy(), again)]
-    assert tips[0] == pytest.approx(tips[1], abs=3e-4 * np.abs(tips[1]).max())  # of four digits
+    assert tips[0] == pytest.approx(tips[1], abs=3e-6 * np.abs(tips[1]).max())  # modes of 16 bits

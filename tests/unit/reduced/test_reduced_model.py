@@ -91,7 +91,7 @@ def test_file_answers_the_same_with_few_packages(tmp_path):
     assert file.stat().st_size < 0.65e6
     largest = float(np.abs(reduced().solve(7000.0).displacement).max())
     loaded = tg.load(file).solve(7000.0)
-    assert float(np.abs(loaded.displacement).max()) == pytest.approx(largest, rel=1e-4)  # four digits
+    assert float(np.abs(loaded.displacement).max()) == pytest.approx(largest, rel=3e-5)  # modes of 16 bits
     assert loaded.volumes["cavity"] == pytest.approx(reduced().solve(7000.0).volumes["cavity"], rel=1e-5)
     done = subprocess.run([sys.executable, "-c", LOADS_ALONE, str(file)], capture_output=True, text=True, check=True)
     assert float(done.stdout) == pytest.approx(float(np.abs(loaded.displacement).max()), rel=1e-9)
@@ -120,6 +120,11 @@ def test_what_is_left_out_is_refused_by_name():
     load = tg.Pressure("cavity", 1e3, history=((0, 0), (0.5, 1), (1, 0.5)))
     with refused("cavity"):
         tg.reduce(_with(model, loads=[load]), {KEY: (0.0, 1e3)})
+    pouch = tg.mesh(tg.actuators.MiuraTube(rows=1).build(), size=20e-3)
+    film = tg.Shell(tg.laws.Hooke(E=20e6, nu=0.45), 1e-3)
+    sheets = {"film": film, "tip": film}
+    with refused("films"):
+        tg.reduce(tg.Model(pouch, sheets, ["fixed"], [tg.Pressure("cavity", 1e3)]), {KEY: (0.0, 1e3)})
 
 
 def _with(model: tg.Model, **changes: object) -> tg.Model:

@@ -74,10 +74,9 @@ LENGTH, WIDTH, SLAB = 40 * mm, 5 * mm, 1 * mm
 def _sunk(angle, kind):
     """How far the end of a clamped strip sinks, over f l⁴ / 8 [1 / (N m)]."""
     mesh = meshes.box((LENGTH, WIDTH, SLAB), (12, 2, 1), kind=kind)
-    mesh = meshes.with_faces(mesh, symmetry_low=mesh.faces["y0"])
     sheet = tg.Shell(FABRIC, THICKNESS, warp=(np.cos(angle), np.sin(angle), 0))
     load = 1e-3 * LENGTH * 8 * _stiffness(angle) / LENGTH**4
-    supports = [tg.Fixed("x0"), tg.Fixed("y1", "y")]
+    supports = [tg.Fixed("x0"), tg.supports.Symmetry("y0"), tg.Fixed("y1", "y")]
     model = tg.Model(mesh, {"body": SOFT, "z0": sheet}, supports, [tg.Traction("z0", (0.0, 0.0, load))])
     state = problems.solve(model, tg.Static(first_step=1.0)).states[-1]
     return float(state.displacement[meshes.node_at(mesh, (LENGTH, 0, 0)), 2]) / (load * LENGTH**4 / 8)

@@ -20,6 +20,7 @@ from problems import MM, NEO_HOOKE, OPTIONS, energy, reaction, rubber, solve
 from refused import refused
 from turgor.core.meshing.cells import HEXAHEDRON, TETRAHEDRON
 from turgor.core.solvers.checks.distortion import node_volume_ratios
+from turgor.core.solvers.procedures.procedure import refuse_remeshing
 from turgor.core.solvers.remeshing import on_the_way
 from turgor.core.solvers.step_reasons import Cause
 from turgor.units import kPa, mm
@@ -232,6 +233,15 @@ def test_what_cannot_be_carried_over_is_refused():
     model = contact_cases.standing(contact_cases.block((1, 1, 1)), contact_cases.pushed(plane, friction=0.3))
     with refused("procedure.remesh", "friction"):
         solve(model, tg.Static(remesh=True))
+    part = meshes.box((10 * mm, 10 * mm, 10 * mm), (1, 1, 1))
+    for near, moves in (((10 * mm, 10 * mm, 10 * mm), False), ((9 * mm, 9 * mm, 10 * mm), True)):
+        push = tg.loads.Force(tg.supports.NodesAt("corner", near=near), (0, 0, -1e-3))
+        cube = tg.Model(part, {"body": rubber(NEO_HOOKE)}, ["z0"], [push])
+        if moves:
+            with refused("procedure.remesh", "'corner'"):
+                refuse_remeshing(cube)
+        else:
+            refuse_remeshing(cube)
     with refused("remesh", "without stages"):
         tg.Stages([tg.Stage("fill", tg.Static(remesh=True))])
     state = solve(sphere(1), tg.Static(first_step=1.0, max_step=1.0)).states[-1]

@@ -151,6 +151,9 @@ def test_a_pressure_that_was_found_stays_and_is_let_off():
     assert held.pressures["cavity"] == pytest.approx(filled.pressures["cavity"], rel=1e-12)
     assert contact_cases.apart(held.displacement, filled.displacement) < 1e-7
     assert np.abs(solution.states[-1].displacement).max() < 1e-6 * np.abs(filled.displacement).max()
+    injected = tg.measure(solution, tg.cavity_volume, mesh_error=False).column("injected_volume")
+    grown = [(volume(state) - volume(solution.states[0])) for state in solution.states]
+    assert injected == pytest.approx(grown, abs=1e-6 * ML) and max(injected) == pytest.approx(0.5 * ML)
 
 
 def test_two_injections_are_one(record_verification):

@@ -9,7 +9,7 @@ import pytest
 
 import meshes
 import turgor as tg
-from problems import solve
+from problems import NEO_HOOKE, rubber, solve
 from refused import refused
 from turgor.core.engine.algebra.linear import SingularTangentError
 from turgor.core.engine.algebra.tangent import Tangent
@@ -266,3 +266,17 @@ def test_a_corner_of_the_pressure_is_no_limit_point():
     assert max(pressures, key=pressures.__getitem__) == 0.5
     assert pressures[1.0] < 0.2 * pressures[0.5]
     assert solution.limit_points == ()
+
+
+def test_walls_that_a_pump_draws_together_touch():
+    """A flat void is emptied by three fifths: its walls meet, as they do where suction is stated."""
+    mesh = meshes.hollow_box(3)
+    mesh = meshes.with_points(mesh, mesh.points * np.array([30, 30, 4.5]) * 1e-3)
+    model = tg.Model(mesh, {"body": rubber(NEO_HOOKE)}, [tg.Fixed("z0")], [])
+    drawn = -0.6 * 10 * 10 * 1.5 * 1e-9
+    last = solve(model, VolumeControl(volume=drawn)).states[-1]
+    assert last.touches["self"].area > 30e-6
+    alone = replace(model, contact=tg.Contact(self_contact=False))
+    through = solve(alone, VolumeControl(volume=drawn))
+    assert [each.code for each in through.findings if "cavity" in each.message] == ["B02"]
+    assert last.pressures["cavity"] < 2 * through.states[-1].pressures["cavity"] < 0

@@ -9,7 +9,7 @@ import typer
 
 from turgor.cli.analyses.calibrate import often
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, check_new, command_of, output_option, requested_job
+from turgor.cli.options import Changes, Debug, JobFile, Json, check_new, command_of, job_without_stages, output_option
 
 if TYPE_CHECKING:
     from turgor.core.model.model import Model
@@ -56,7 +56,7 @@ def _run(options: _Options) -> None:
         check_new(options.output, options.force, "--output")
         page = options.output.with_suffix(".html")
         check_new(page, options.force, "--output")
-        job = requested_job(options.job, options.changes)
+        job = job_without_stages(options.job, options.changes, "a reduced model")
         model, findings = prepare(job)
         ranges = _ranges(options.along or (), model)
         answer.warn(findings)

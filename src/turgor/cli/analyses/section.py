@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, output_option, requested_job
+from turgor.cli.options import Changes, Debug, JobFile, Json, job_without_stages, output_option
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ def section_command(
         from turgor.job.section import section_of, solve_section
 
         length = _length(size)
-        requested = requested_job(job, changes)
+        requested = job_without_stages(job, changes, "a section")
         section = section_of(requested, length, ends)
         typer.echo(f"{section!r}")
         solution = solve_section(requested, section, rows)

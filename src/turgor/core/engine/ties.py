@@ -12,6 +12,7 @@ from turgor.core.engine.algebra.boundary import PrescribedComponents
 from turgor.core.engine.algebra.multipoint import MultiPoint
 from turgor.core.engine.algebra.node_frames import NodeFrames
 from turgor.core.engine.algebra.settings import EQUATIONS
+from turgor.core.meshing.cells import side_type
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.middles import Middles, middles_of
 from turgor.core.model.model import Model
@@ -138,9 +139,29 @@ def _stated(support: Support, mesh: Mesh) -> Equations | None:
     return support.equations(mesh) if support.tied is None else _of_tie(mesh, *support.tied)
 
 
-@lru_cache(maxsize=8)  # checks and stages ask again
+@lru_cache(maxsize=8)
+def tied_sides(mesh: Mesh, face: str, other: str) -> tuple[Ints, Ints]:
+    """Return the sides of a tied face whose nodes all lie on the other one, and those of the other below them."""
+    from turgor.core.engine.faces.attached import on_face  # as below
+
+    sides = mesh.carrying_sides(face)
+    joined = np.concatenate([_followed(mesh, face, other)[0], mesh.face_nodes(other)])
+    sides = sides[np.isin(sides, joined).all(axis=1)]
+    corners = mesh.points[sides[:, : side_type(sides.shape[1]).corners]]
+    return sides, on_face(mesh, other, corners.mean(axis=1))[0] if len(sides) else sides
+
+
 def _of_tie(mesh: Mesh, face: str, other: str) -> Equations:
     """Equations between the nodes of a face and those of the sides of another one on which they lie."""
+    own, nodes, shares = _followed(mesh, face, other)
+    weights = np.concatenate([np.ones((len(own), 1)), -shares], axis=1)
+    vectors = np.einsum("km,ij->kimj", weights, np.eye(3)).reshape(3 * len(own), -1, 3)
+    return np.repeat(np.concatenate([own[:, None], nodes], axis=1), 3, axis=0), vectors
+
+
+@lru_cache(maxsize=8)  # checks and stages ask again
+def _followed(mesh: Mesh, face: str, other: str) -> tuple[Ints, Ints, NDArray[np.float64]]:
+    """Nodes (k,) of a face that lie on another one, the nodes (k, n) of the sides there, and their shares."""
     from turgor.core.engine.faces.attached import on_face  # few models have ties, and this loads the search
 
     own = np.setdiff1d(np.intersect1d(mesh.face_nodes(face), mesh.carrying_sides(face)), mesh.face_nodes(other))
@@ -151,10 +172,7 @@ def _of_tie(mesh: Mesh, face: str, other: str) -> Equations:
             f"tie of '{face}': it lies {away.min() / mm:.3g} mm from '{other}'; they must touch, within "
             f"{EQUATIONS.tied_within * 100:g} % of the size of the part."
         )
-    own, nodes, shares = own[near], nodes[near], shares[near]
-    weights = np.concatenate([np.ones((len(own), 1)), -shares], axis=1)
-    vectors = np.einsum("km,ij->kimj", weights, np.eye(3)).reshape(3 * len(own), -1, 3)
-    return np.repeat(np.concatenate([own[:, None], nodes], axis=1), 3, axis=0), vectors
+    return own[near], nodes[near], shares[near]
 
 
 def _rows(nodes: NDArray[np.int64], vectors: NDArray[np.float64], spread: sp.csr_matrix) -> Iterator[Row]:

@@ -36,26 +36,37 @@ class RigidNode:
         Moves with the obstacle.
     turning, first : int
         The node that has its rotation, and the degree of freedom of the rotation about x.
+    place, turn : (3,) arrays [m], [rad]
+        How far the obstacle is moved and turned already where the file has it at rest.
     """
 
     name: str
     node: int
     turning: int
     first: int
+    place: Array
+    turn: Array
 
 
-def contact_lines(context: Context) -> tuple[list[str], tuple[RigidNode, ...]]:
+def contact_lines(context: Context, models: Sequence[Model]) -> tuple[list[str], tuple[RigidNode, ...]]:
     """Write the contact of a model: the lines, and the reference nodes of its obstacles.
+
+    Parameters
+    ----------
+    context : Context
+    models : sequence of Model
+        Those of the stages, any of which may press the walls of a cavity together.
 
     Raises
     ------
     TurgorError
-        If an obstacle has a spring and a path, or the mesh has no contact.
+        If an obstacle begins turned about another axis, or the mesh has no contact.
     """
     model, lines, nodes = context.model, list[str](), list[RigidNode]()
     own = model.contact.self_contact
     alone = own is not None and model.contact.for_mesh(model.mesh) is not None
-    cavities = pressed_together(model) if own is not None else ()
+    pressed = (name for each in models for name in pressed_together(each) if own is not None)
+    cavities = tuple(dict.fromkeys(pressed))
     if not (alone or cavities or model.contact.obstacles):
         return [], ()
     if model.mesh.cell_type.side.nodes == 8:
@@ -157,9 +168,9 @@ def _pair(interaction: str, slave: str, master: str) -> list[str]:
 
 
 def _rigid(context: Context, obstacle: Obstacle) -> tuple[list[str], RigidNode]:
-    """An obstacle as wedges behind its triangles, tied to a reference node."""
-    pose = obstacle.pose(0.0)
-    points, triangles = obstacle.shape.surface() or obstacle.outline(pose, _room(context.model))
+    """An obstacle as wedges behind its triangles where its path begins, tied to a reference node."""
+    pose, turn = obstacle.pose(0.0), _first_turn(obstacle)
+    points, triangles = obstacle.outline(pose, _room(context.model))
     behind = _behind(points, triangles)
     label = f"rigid_{obstacle.name}"
     first = next(context.nodes)
@@ -176,14 +187,25 @@ def _rigid(context: Context, obstacle: Obstacle) -> tuple[list[str], RigidNode]:
     lines += [f"*SURFACE, NAME={label}, TYPE=ELEMENT", *(f"{cell}, S2" for cell in cells)]
     lines += [f"*MATERIAL, NAME={label}", "*ELASTIC", "1., 0."]  # of a rigid body, without an effect
     lines += [f"*SOLID SECTION, ELSET={label}, MATERIAL={label}"]
-    middle = obstacle.about or (points.mean(axis=0) if obstacle.rotation == () else obstacle.shape.middle)
+    middle = points.mean(axis=0) if obstacle.rotation == () else pose.pivot
     node = next(context.nodes)
     turning = node if context.for_abaqus else next(context.nodes)
     place = ", ".join(f"{value:.12g}" for value in np.asarray(middle) / mm)
     lines += ["*NODE", *(f"{each}, {place}" for each in sorted({node, turning}))]
     turns = "" if context.for_abaqus else f", ROT NODE={turning}"
     lines.append(f"*RIGID BODY, ELSET={label}, REF NODE={node}{turns}")
-    return lines, RigidNode(obstacle.name, node, turning, 4 if context.for_abaqus else 1)
+    return lines, RigidNode(obstacle.name, node, turning, 4 if context.for_abaqus else 1, pose.place, turn)
+
+
+def _first_turn(obstacle: Obstacle) -> Array:
+    """The rotation (3,) [rad] with which an obstacle begins; later ones less this one are those from there on."""
+    turns = np.array([vector for _, vector in obstacle.rotation] or [(0.0, 0.0, 0.0)])
+    if turns[0].any() and np.linalg.matrix_rank(turns) > 1:
+        raise TurgorError(
+            f"the obstacle '{obstacle.name}' begins turned and turns on about another axis, which has no form in .inp "
+            "files; state its shape as it is turned at first."
+        )
+    return np.asarray(turns[0])
 
 
 def _room(model: Model) -> Array:
@@ -210,11 +232,6 @@ def _spring(context: Context, obstacle: Obstacle, node: RigidNode) -> list[str]:
     """Springs at the reference node, in the directions in which it may move."""
     if obstacle.spring is None:
         return []
-    if obstacle.path:
-        raise TurgorError(
-            f"the obstacle '{obstacle.name}' has a spring whose end moves, which has no form in .inp files; leave out "
-            "the path or the spring."
-        )
     lines, model = list[str](), context.model
     for axis in _free(model):
         label = f"spring_{obstacle.name}_{'xyz'[axis]}"
@@ -231,18 +248,31 @@ def _free(model: Model) -> list[int]:
 
 
 def rigid_rows(model: Model, nodes: Sequence[RigidNode]) -> Iterator[tuple[str, tuple[tuple[float, float], ...]]]:
-    """Yield rows of ``*BOUNDARY`` of the reference nodes, with ``1`` for the value, and the values over a stage."""
+    """Yield rows of ``*BOUNDARY`` of the reference nodes, with ``1`` for the value, and the values over a stage.
+
+    Raises
+    ------
+    TurgorError
+        If the end of a spring moves.
+    """
     obstacles = {each.name: each for each in model.contact.obstacles}
     for node in nodes:
         obstacle = obstacles.get(node.name)
         free = _free(model) if obstacle is not None and obstacle.spring is not None else []
+        if free and obstacle is not None and any((np.array(to) != node.place).any() for _, to in obstacle.path):
+            raise TurgorError(
+                f"the obstacle '{obstacle.name}' has a spring whose end moves, which has no form in .inp files; leave "
+                "out the path, the moves or the spring."
+            )
         for axis in range(3):
             if axis not in free:
                 way = () if obstacle is None else obstacle.path
-                yield f"{node.node}, {axis + 1}, {axis + 1}", _component(way, axis, mm)
+                yield f"{node.node}, {axis + 1}, {axis + 1}", _component(way, axis, node.place, mm)
             turn = () if obstacle is None else obstacle.rotation
-            yield f"{node.turning}, {node.first + axis}, {node.first + axis}", _component(turn, axis, 1.0)
+            yield f"{node.turning}, {node.first + axis}, {node.first + axis}", _component(turn, axis, node.turn, 1.0)
 
 
-def _component(way: Sequence[tuple[float, Sequence[float]]], axis: int, unit: float) -> tuple[tuple[float, float], ...]:
-    return tuple((s, value[axis] / unit) for s, value in way) or ((0.0, 0.0), (1.0, 0.0))
+def _component(
+    way: Sequence[tuple[float, Sequence[float]]], axis: int, first: Array, unit: float
+) -> tuple[tuple[float, float], ...]:
+    return tuple((s, (value[axis] - float(first[axis])) / unit) for s, value in way) or ((0.0, 0.0), (1.0, 0.0))

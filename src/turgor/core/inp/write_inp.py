@@ -112,13 +112,14 @@ def inp_file(
         raise unknown("program", program, PROGRAMS)
     way = _procedure(procedure, at)
     _check_extras(model, way)
-    context, models, initial = Context.of(model, program), questions(model, way), initial_lines(model)
+    context, models = Context.of(model, program), questions(model, way)
+    initial, grown = initial_lines(models)
     points, names = inp_points(model, program), {name: plain(name) for name in model.mesh.faces}
     deck = InpDeck(model.mesh, points, names, 1 / model.mesh.symmetry_factor)
     cells = [*mesh_lines(context, reduced), *sheet_lines(context)]
-    sections = _material_lines(context, way)
+    sections = _material_lines(context, way, grown)
     parts = [*thread_lines(context), *point_lines(context, points, names)]
-    contact, rigid = contact_lines(context)
+    contact, rigid = contact_lines(context, models)
     acting = [[*acting_rows(each, deck), *_rigid_rows(each, rigid)] for each in models]
     amplitudes, steps = history_lines(context, way, acting)
     lines = [
@@ -198,14 +199,14 @@ def compressible(model: Model, poisson: float) -> Model:
     return replace(model, materials=materials)
 
 
-def _material_lines(context: Context, procedure: Procedure) -> list[str]:
+def _material_lines(context: Context, procedure: Procedure, grown: Model) -> list[str]:
     lines = []
     for name, material in context.model.region_materials.items():
         lines += [f"** {plain(material.name)}", *material_lines(plain(name), material, context.program)]
         lines += damping_lines(procedure, context.program)
         axes, directed = orientation_lines(plain(name), material)
         section = f"*SOLID SECTION, ELSET={plain(name)}, MATERIAL={plain(name)}{directed}"
-        lines += [*expansion_lines(context.model, name), *axes, section]
+        lines += [*expansion_lines(grown, name), *axes, section]
         context.written(f"materials.{name}", type(material.law).__name__)
     return [*lines, *sheet_sections(context)]
 

@@ -68,8 +68,9 @@ class Contact:
 
     def with_obstacles(self, obstacles: Sequence[Obstacle]) -> "Contact":
         """Return a contact with other obstacles and the rest as it was."""
-        with_itself = None if self.automatic else self.self_contact or False
-        return Contact(with_itself, obstacles, self.tolerance)
+        own = self.self_contact
+        changed = Contact(None if self.automatic else own or False, obstacles, self.tolerance)
+        return changed if own is None or own.cavities is None else changed.with_cavities(own.cavities)
 
     def with_cavities(self, cavities: tuple[str, ...]) -> "Contact":
         """Return a contact in which the walls of stated cavities may touch within, and the rest as it was."""

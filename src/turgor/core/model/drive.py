@@ -85,7 +85,7 @@ def extremes(model: Model) -> tuple[float, ...]:
 
 
 def pressed_together(model: Model) -> tuple[str, ...]:
-    """Name the cavities whose pressure is at some load below that of another one, or below zero, or the stated ones.
+    """Name the cavities whose pressure is at some load below that of another one, or below zero, and the stated ones.
 
     Parameters
     ----------
@@ -97,9 +97,7 @@ def pressed_together(model: Model) -> tuple[str, ...]:
         In the order of the mesh; their walls may be pressed together.
     """
     own = model.contact.self_contact
-    if own is not None and own.cavities is not None:
-        return tuple(name for name in model.mesh.cavities if name in own.cavities)
-    cavities = set()
+    cavities = set() if own is None else set(own.cavities or ())
     for factor in extremes(model):
         pressures = {name: p for name, p in pressures_at(model, factor).items() if name in model.mesh.cavities}
         cavities |= {name for name, pressure in pressures.items() if pressure < max(0.0, *pressures.values())}

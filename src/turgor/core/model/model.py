@@ -14,7 +14,7 @@ from turgor.core.model.accepted_forms import at_node_sets, given_materials, give
 from turgor.core.model.bonds import Bond, parted_mesh
 from turgor.core.model.checks.films import check_films
 from turgor.core.model.checks.named_points import check_points, points_of
-from turgor.core.model.checks.orientations import check_oriented
+from turgor.core.model.checks.orientations import check_oriented, check_woven
 from turgor.core.model.checks.states import check_states
 from turgor.core.model.checks.symmetry import check_not_cut, check_turning, check_uncut_shell, check_wedge
 from turgor.core.model.contact import Contact
@@ -132,6 +132,7 @@ class Model(Saved, Shown):
             if isinstance(material, Sheet):
                 if name not in self.mesh.faces:
                     raise unknown("face for a sheet", name, self.mesh.faces)
+                check_woven(self.mesh, name, material)
             elif name in self.mesh.faces and name not in self.mesh.regions:
                 raise TurgorError(
                     f"materials.{name}: '{name}' is a face, and a sheet of '{material.name}' on it needs a thickness; "

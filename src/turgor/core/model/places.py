@@ -131,6 +131,11 @@ class NodesAt:
             )
         return np.asarray(nodes, dtype=np.int64)
 
+    def at_node(self, mesh: Mesh) -> bool:
+        """Whether the point of ``near`` is that of its node, which is then the same on finer cells."""
+        away = np.linalg.norm(mesh.points[self.nodes(mesh)] - np.array(self.near), axis=1)
+        return bool(away.max() <= ROUND_OFF.mesh_digits * float(np.ptp(mesh.points, axis=0).max()))
+
     def table(self) -> dict[str, object]:
         """Return its keys in a job file."""
         if self.edge is not None:

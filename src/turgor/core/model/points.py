@@ -11,7 +11,7 @@ from turgor.core.model.history import RAMP, History, checked, share_at, with_his
 from turgor.core.model.loads.load import Deck, DeckRows
 from turgor.core.model.supports.support import Support
 from turgor.foundation.errors import TurgorError, unknown
-from turgor.foundation.given import vector
+from turgor.foundation.given import name, vector
 from turgor.foundation.round_off import ROUND_OFF
 from turgor.units import deg, mm
 
@@ -79,6 +79,7 @@ class ReferencePoint(Support):
     def __post_init__(self) -> None:
         if not self.name.isidentifier():
             raise TurgorError(f"reference point '{self.name}': a name holds letters, digits and underscores only.")
+        name(self.face, f"reference point '{self.name}': face", "tip")  # no NodesAt: it has no area
         if self.coupling not in COUPLINGS:
             raise unknown(f"coupling of the reference point '{self.name}'", self.coupling, COUPLINGS)
         for key in ("at", "center"):

@@ -28,7 +28,7 @@ from turgor.core.solvers.guide import check_guide
 from turgor.core.solvers.listeners import Listeners
 from turgor.core.solvers.path_outcomes import limit_point_findings, unwatched_stability
 from turgor.core.solvers.problem import Problem
-from turgor.core.solvers.procedures.procedure import Procedure
+from turgor.core.solvers.procedures.procedure import Procedure, with_contact_within
 from turgor.core.solvers.procedures.static import Static
 from turgor.core.solvers.progress.watchers import Progress as Progress
 from turgor.core.solvers.progress.watchers import watched
@@ -181,7 +181,7 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
     else:
         early = check_before_solve(model, procedure) if question.findings is None else question.findings
         listeners.tell(early)
-        one = partial(_from_start, question, record)
+        model, one = with_contact_within(model, procedure), partial(_from_start, question, record)
         if procedure.stages:
             solution = solve_stages(model, procedure, listeners, one)
         else:

@@ -202,6 +202,8 @@ def check_reducible(system: System) -> None:
     ------
     TurgorError
     """
+    if not len(system.model.mesh.cells):
+        raise TurgorError("reduced models have no films without a solid yet; take finite elements.")
     if not system.element.modes:
         raise TurgorError("reduced models need mean stresses; take the formulation 'mixed' instead of 'displacement'.")
     check_points(system)

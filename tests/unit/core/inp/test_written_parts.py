@@ -158,6 +158,26 @@ def test_obstacles_are_wedges_that_are_not_turned_over(tmp_path, mesh, shape):
     assert notes["obstacles.plate"].verdict == APPROXIMATED
 
 
+@pytest.mark.parametrize(
+    "shape", [Plane(point=(0, 0, -5 * mm), normal=(0, 0, 1)), Sphere(center=(0, 0, -9 * mm), radius=4 * mm)]
+)
+def test_obstacles_that_begin_elsewhere_and_go_on_in_stages(tmp_path, mesh, shape):
+    def heights(start):
+        path, turns = ((0, (0, 0, start)), (1, (0, 0, start))), ((0, (0, start, 0)), (1, (0, 3 * start, 0)))
+        plate = Obstacle(name="plate", shape=shape, path=path, rotation=turns, about=(0, 0, -9 * mm))
+        stages = tg.Stages([Stage("wait"), Stage("press", moves={"plate": (0, 0, start + 2 * mm)})])
+        text, _ = written(tmp_path, model(mesh, contact=Contact(False, [plate])), procedure=stages)
+        lines = re.search(r"\*NODE, NSET=rigid_plate\n((?:\d.*\n)+)", text)[1].splitlines()
+        return text, np.array([line.split(", ")[3] for line in lines], dtype=float)
+
+    (text, moved), (_, there) = heights(-3 * mm), heights(0.0)
+    node = re.search(r"REF NODE=(\d+)", text)[1]
+    assert f"\n{node}, 0, 0, -12\n" in text
+    assert [float(each) for each in re.findall(rf"\n{node}, 3, 3, (.*)", text)] == pytest.approx([0.0, 2.0])
+    assert [float(each) for each in re.findall(rf"\n{node}, 5, 5, (.*)", text)] == pytest.approx([-6e-3])
+    assert moved.max() == pytest.approx(there.max() - 3.0, abs=0.3)  # a plane is drawn a little turned
+
+
 def test_springs_and_penalties_of_obstacles(tmp_path, mesh):
     ball = Obstacle(name="ball", shape=Sphere(center=(0, 0, -9 * mm), radius=4 * mm), spring=80.0, stiffness=3e9)
     text, _ = written(tmp_path, model(mesh, contact=Contact(False, [ball])), "calculix")
@@ -168,6 +188,9 @@ def test_springs_and_penalties_of_obstacles(tmp_path, mesh):
     moved = replace(ball, path=((0, (0, 0, 0)), (1, (1 * mm, 0, 0))))
     with refused("'ball'", "spring"):
         written(tmp_path, model(mesh, contact=Contact(False, [moved])))
+    later = tg.Stages([tg.Stage("wait"), tg.Stage("move", moves={"ball": (1 * mm, 0, 0)})])
+    with refused("'ball'", "spring"):
+        write_inp(model(mesh, contact=Contact(False, [ball])), tmp_path / "model.inp", procedure=later)
 
 
 def test_walls_that_meet_are_pairs(tmp_path):
@@ -215,6 +238,17 @@ def test_stages_are_steps_that_state_what_changes(tmp_path, mesh):
     assert sorted(rows[0]) == ["cavity, P, 0.005", *(f"fixed, {k}, {k}, 0" for k in (1, 2, 3)), "outside, P, 0.001"]
     assert rows[1:] == [["fixed, 3, 3, 1"], ["outside, P, 0.001"]]
     assert notes["stages.push"].text == "*STATIC"
+
+
+def test_what_a_later_stage_needs_is_written(tmp_path, mesh):
+    warm, press = [tg.loads.Shrinkage("body", 0.02), tg.loads.Shrinkage("base", 0.01)], tg.Pressure("cavity", -3 * kPa)
+    question = model(mesh, loads=[], contact=Contact())
+    text, _ = written(tmp_path, question, procedure=tg.Stages([Stage("wait"), Stage("dry", loads=[*warm, press])]))
+    assert re.findall(r"\*EXPANSION, ZERO=0.\n(\S+)", text) == ["-0.02", "-0.01"]
+    assert "TYPE=TEMPERATURE\nNall, 0.\n" in text and "*TEMPERATURE, AMPLITUDE=" in text
+    assert "\ncontact_cavity, contact_cavity\n" in text  # suction brings its walls together
+    with refused("Shrinkage(body)", "later stage"):
+        written(tmp_path, question, procedure=tg.Stages([Stage("a", loads=warm[:1]), Stage("b", loads=warm[1:])]))
 
 
 def test_procedures(tmp_path, mesh):

@@ -32,7 +32,11 @@ from turgor.core.solvers.checks.supports import unloaded_cavities
 from turgor.core.solvers.continuation import load_control as static_run
 from turgor.core.solvers.continuation.predictor import predicted
 from turgor.core.solvers.continuation.step_control import StepControl
+from turgor.core.solvers.procedures.gas_mass import GasMass
+from turgor.core.solvers.procedures.procedure import with_contact_within
+from turgor.core.solvers.procedures.stages import Stage, Stages
 from turgor.core.solvers.procedures.static import Static
+from turgor.core.solvers.procedures.volume_control import VolumeControl
 from turgor.core.solvers.solution import Solution
 from turgor.core.solvers.solve import solve
 from turgor.job.job import Job
@@ -271,6 +275,24 @@ def test_which_cavities_can_be_pressed_together(twin: Mesh) -> None:
     assert pressed_together(model(twin, Pressure("cavity_1", 2 * kPa), Pressure("cavity_2", 2 * kPa))) == ()
     assert pressed_together(model(twin, Pressure("cavity_1", -2 * kPa))) == ("cavity_1",)
     assert pressed_together(model(twin)) == ()
+
+
+def test_which_cavities_a_procedure_may_press_together(twin: Mesh) -> None:
+    channel, three = (
+        Channel(between=("cavity_1", "cavity_2"), resistance=1e9),
+        VolumeControl(volume={"cavity_2": 3 * mL}),
+    )
+    for loads, procedure, names in (
+        ((), Static(), ()),
+        ((), three, ("cavity_2",)),
+        ((Pressure("cavity_1", -2 * kPa),), Stages([Stage("fill", three), Stage("hold")]), ("cavity_1", "cavity_2")),
+        ((Pressure("cavity_1", -2 * kPa), channel), Static(duration=1.0), ("cavity_1", "cavity_2")),
+        ((), GasMass(mass_ratio={"cavity_1": 0.5}), ("cavity_1",)),
+    ):
+        guarded = with_contact_within(model(twin, *loads), procedure)
+        assert pressed_together(guarded) == names
+        moved = replace(guarded, contact=guarded.contact.with_obstacles(()))
+        assert pressed_together(moved) == names
 
 
 def test_walls_of_a_cavity_that_is_pressed_flat_are_found(twin: Mesh) -> None:

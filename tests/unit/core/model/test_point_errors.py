@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from turgor.loads import Force, Hanging, Moment
 from turgor.measures import of_point
-from turgor.supports import Hinge, PlaneSection, ReferencePoint, Rotation
+from turgor.supports import Hinge, NodesAt, PlaneSection, ReferencePoint, Rotation
 
 import rig
 import turgor as tg
@@ -24,6 +24,7 @@ PLATE = ReferencePoint("plate", "x1")
     ("values", "facts"),
     [
         ({"name": "my plate"}, ("'my plate'", "underscores")),
+        ({"face": NodesAt("rim", edge=("x0", "x1"))}, ("'plate'", "NodesAt", "'tip'")),
         ({"coupling": "rigd"}, ("coupling", "'plate'", "'rigd'", "'rigid'")),
         ({"mass": -1.0}, ("'plate'", "mass is -1.0", "0 or more")),
         ({"spring": (1.0, -2.0, 0.0)}, ("'plate'", "spring is (1.0, -2.0, 0.0)", "0 or more")),

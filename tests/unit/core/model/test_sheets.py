@@ -1,8 +1,11 @@
 """Sheets on faces: what a shell is made of, its bending stiffness, and what is refused."""
 
+from functools import partial
+
 import pytest
 import results_cases as cases
 
+import meshes
 import turgor as tg
 from refused import refused
 from turgor.core.engine.faces.membrane_term import MembraneTerm
@@ -72,3 +75,21 @@ def test_what_no_woven_sheet_can_be_is_refused():
     materials = dict.fromkeys(mesh.regions, cases.RUBBER) | {"outside": sheet}
     with refused("warp", "cloth", "across"):
         System(tg.Model(mesh, materials, [tg.Fixed("fixed")], []))
+
+
+@pytest.mark.parametrize(
+    ("warp", "weft", "fits"),
+    [((1, 0, 0), 150e6, True), ((0, 1, 0), 150e6, True), ((1, 1, 0), 400e6, True), ((1, 1, 0), 150e6, False)],
+)
+def test_a_woven_sheet_is_its_own_mirror_image(warp, weft, fits):
+    mesh = meshes.box((10 * mm, 10 * mm, 5 * mm), (1, 1, 1))
+    half = meshes.with_faces(mesh, symmetry_low=mesh.faces["y0"])
+    sheet = tg.Membrane(tg.laws.Woven(E=400e6, E_weft=weft, G=12e6, nu=0.2), 0.1 * mm, warp=warp)
+    materials = {"body": cases.RUBBER, "z0": sheet}
+    model = partial(tg.Model, materials=materials, supports=[tg.Fixed("x0")], loads=[])
+    assert model(mesh)
+    if fits:
+        assert model(half)
+    else:
+        with refused("materials.z0", "warp", "mirror", "symmetric = false"):
+            model(half)

@@ -37,6 +37,13 @@ def test_equations_of_single_nodes_with_directions_of_their_own(tmp_path):
     assert rows(model) == {((0, 0, 20, 0, 1, 0), (0, 0, 10, 0, 0, 2), (10, 0, 10, 0, 0, 0.5))}
 
 
+def test_small_factors_of_an_equation_stay(tmp_path):
+    model = model_in(deck(tmp_path, model=FIXED + "*EQUATION\n2\n9, 3, 1., 5, 3, -2.5e-8\n"), tmp_path)
+    (one,) = equations(model)
+    _, ((_, small),) = one.equations(model.mesh)
+    assert small.tolist() == [0.0, 0.0, -2.5e-8]
+
+
 def test_equations_of_faces_that_lie_alike_are_one(tmp_path):
     pairs = [(2, 1), (6, 5), (10, 9), (3, 4), (7, 8), (11, 12)]
     lines = "*EQUATION\n" + "".join(f"2\n{one}, 3, 1.,\n{other}, 3, -1.\n" for one, other in pairs)

@@ -13,7 +13,9 @@ from turgor.core.engine.contact.rigid_triangles import refined, rims, six_nodes
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.shape_part import ShapePart
 from turgor.core.engine.contact.surface import Surface, listed, neighbors, of_face, overhangs, strangers
+from turgor.core.engine.ties import tied_sides
 from turgor.core.meshing.mesh import Mesh
+from turgor.core.meshing.surface import corner_keys
 from turgor.core.model.contact import SELF
 from turgor.core.model.drive import pressed_together
 from turgor.core.model.model import Model
@@ -117,8 +119,9 @@ def build_parts(
 def outer_sides(model: Model, surface: Surface) -> NDArray[np.bool_]:
     """Which sides of a surface lie outside: on no cavity and no cut, and not tied or bonded, which bears pressing."""
     mesh, ties = model.mesh, [each.tied for each in model.supports if each.tied is not None]
-    bonded = [face for faces in (*mesh.parted, *ties) for face in faces]
-    mirrors = of_face(mesh, surface, *mesh.cut_faces, *bonded)
+    mirrors = of_face(mesh, surface, *mesh.cut_faces, *(face for faces in mesh.parted for face in faces))
+    for sides in (sides for tie in ties for sides in tied_sides(mesh, *tie)):  # what is left of both faces may touch
+        mirrors |= np.isin(*(corner_keys(each, len(mesh.points)) for each in (surface.sides, sides)))
     cavities = of_face(mesh, surface, *mesh.cavities)
     return ~mirrors & (surface.outward if surface.outward is not None else ~cavities & ~_pinhole(mesh, surface))
 

@@ -218,7 +218,7 @@ class SelfContact:
     elastic_slip : float [m], optional
         How far a point that sticks slips elastically; see `Obstacle`.
     cavities : tuple of str, optional
-        Cavities whose walls may touch each other within; by default those whose pressure is at some load below that of
+        Cavities whose walls may touch each other within, besides those whose pressure is at some load below that of
         another one, or below zero.
     """
 

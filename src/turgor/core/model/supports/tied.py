@@ -15,8 +15,8 @@ class Tied(Support):
 
     The nodes of the face have the displacement of the other face at their place, by its shape functions; nodes that lie
     on no side of it stay free. Tie the finer face to the coarser one: where its sides are parts of those of the other,
-    both are one body; where they are not, stress is uneven by the size of a side at the tie. Tied faces do not touch
-    each other.
+    both are one body; where they are not, stress is uneven by the size of a side at the tie. Sides that are tied touch
+    nothing; what is left of both faces may.
 
     Parameters
     ----------

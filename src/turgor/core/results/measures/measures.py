@@ -143,7 +143,13 @@ def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Me
     contact = (*contact_measures_of(solution), *grasp_measures_of(solution))
     own = (*point_measures_of(model), *contact, *openings_of(model))
     requested = (*_with_value(fitting, StateFields(solution.states[0])), *own) if standard else measures
-    return _with_parts(requested, mesh)
+    return _with_parts(tuple(dict.fromkeys((*_driven_in_some(solution), *requested))), mesh)
+
+
+def _driven_in_some(solution: Solution) -> tuple[Measure, ...]:
+    """Measures of what some stages prescribe and others do not, such as the injected volume."""
+    driven = [set(state.driven) for state in solution.states]
+    return tuple(MEASURES[name] for name in sorted(set.union(*driven) - set.intersection(*driven)) if name in MEASURES)
 
 
 def _with_value(standard: Sequence[Measure], at: StateFields) -> tuple[Measure, ...]:

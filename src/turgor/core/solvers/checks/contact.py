@@ -131,7 +131,7 @@ def meeting_walls(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
     tuple of Finding
     """
     findings = []
-    for cavity in _unguarded(model):
+    for cavity in _unguarded(model, states):
         facing, mirrors = find_facing_walls(model.mesh, cavity=cavity), find_mirror_walls(model.mesh, cavity)
         points = model.mesh.points
         met = {
@@ -176,13 +176,17 @@ def _met_next_sector(model: Model, states: Sequence[State]) -> tuple[Finding, ..
     )
 
 
-def _unguarded(model: Model) -> tuple[str | None, ...]:
+def _unguarded(model: Model, states: Sequence[State]) -> tuple[str | None, ...]:
     """Cavities whose walls are pressed together without contact; None stands for the outer walls."""
     mesh, contact = model.mesh, model.contact
     if not mesh.cell_type.side.triangles:
         return ()
     outside = (None,) if contact.for_mesh(mesh) is None else ()
-    return (*outside, *(pressed_together(model) if contact.self_contact is None else ()))
+    pressed, guarded = set(pressed_together(model)), contact.self_contact is not None
+    for state in () if guarded else states:  # a procedure may find the pressure, and draw fluid off
+        acting = {name: p for name, p in state.pressures.items() if name in mesh.cavities}
+        pressed |= {name for name, p in acting.items() if p < max(0.0, *acting.values())}
+    return (*outside, *(name for name in mesh.cavities if name in pressed and not guarded))
 
 
 def _first_contact(states: Sequence[State], measured: Iterable[float]) -> float | None:

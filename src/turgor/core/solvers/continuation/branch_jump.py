@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.core.solvers.continuation.settings import BRANCH_JUMP
 from turgor.core.solvers.solution import State
+from turgor.foundation.round_off import ROUND_OFF
 
 Array = NDArray[np.float64]
 
@@ -22,18 +23,25 @@ def move_ratio(points: Sequence[tuple[float, Array]]) -> float:
     Returns
     -------
     float
-        0 where there are fewer than three points, the load does not rise, or the last step is nearly zero.
+        0 where there are fewer than three points, the load does not rise, or one of the steps is nearly zero: what
+        begins to move, as a wire that gets warm enough, has jumped nowhere.
 
     Examples
     --------
     >>> move_ratio([(0.0, np.zeros(3)), (0.5, np.ones(3)), (0.6, np.full(3, 3.0))])
     10.0
+    >>> move_ratio([(0.0, np.zeros(3)), (0.5, np.full(3, 1e-15)), (0.6, np.full(3, 3.0))])
+    0.0
     """
     if len(points) < 3:
         return 0.0
     (f0, u0), (f1, u1), (f2, u2) = points[-3:]
     moved, moves = float(np.linalg.norm(u1 - u0)), float(np.linalg.norm(u2 - u1))
-    if not f0 < f1 < f2 or moved == 0 or moves <= BRANCH_JUMP.still_share * float(np.linalg.norm(u2)):
+    if (
+        not f0 < f1 < f2
+        or moved <= ROUND_OFF.same * moves
+        or moves <= BRANCH_JUMP.still_share * float(np.linalg.norm(u2))
+    ):
         return 0.0
     return round((moves / (f2 - f1)) / (moved / (f1 - f0)), 9)
 

@@ -1,6 +1,7 @@
 """Cavity procedure: what procedures have in common that prescribe a value for cavities and find their pressures."""
 
 from collections.abc import Mapping, Sequence
+from itertools import compress
 from typing import Any, ClassVar
 
 import numpy as np
@@ -25,6 +26,8 @@ class CavityProcedure(StepOptions):
 
     #: Field that states the values, or the names of the cavities.
     requested_field: ClassVar[str] = ""
+    #: The value at which nothing is filled in or drawn off.
+    neutral: ClassVar[float] = 0.0
 
     @property
     def requested(self) -> float | Mapping[str, float]:
@@ -74,6 +77,12 @@ class CavityProcedure(StepOptions):
             if name not in known:
                 raise unknown(f"cavity in procedure.{field}", name, known)
         return tuple(requested)
+
+    def emptied(self, model: Model) -> tuple[str, ...]:
+        """Name the cavities that it draws from; all that it controls where others may press on them."""
+        names = self.filled(model)
+        less = self.requested_of(names) < self.neutral
+        return names if len(model.mesh.cavities) > 1 else tuple(compress(names, less))
 
     def controlled(self, model: Model) -> tuple[str, ...]:
         """Name the cavities whose pressure is unknown.

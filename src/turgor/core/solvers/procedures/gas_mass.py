@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.model.model import Model
 from turgor.core.solvers.procedures.cavity_procedure import CavityProcedure, by_cavity
 from turgor.core.solvers.procedures.step_options import check_steps, make_numbers
 from turgor.foundation.errors import TurgorError
@@ -51,6 +52,7 @@ class GasMass(CavityProcedure):
 
     drive = "gas_mass_ratio"
     requested_field = "mass_ratio"
+    neutral = 1.0
 
     mass_ratio: float | Mapping[str, float] = field(default=1.0, metadata={"dimension": "number"})
     exponent: float = 1.0
@@ -77,6 +79,11 @@ class GasMass(CavityProcedure):
         if not 0 < self.seal < 1:
             raise TurgorError(f"procedure.seal is {self.seal:g}; a load factor between 0 and 1 is needed.")
         check_steps(self)
+
+    def emptied(self, model: Model) -> tuple[str, ...]:
+        """Name the cavities that it draws from; all of them where the pressure inside falls below that around."""
+        outside = self.final_outside > self.ambient or self.pressure < 0
+        return self.filled(model) if outside else super(GasMass, self).emptied(model)
 
     @property
     def final_outside(self) -> float:

@@ -6,11 +6,13 @@ What it leaves out has the default that stands here.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 from typing import Any, ClassVar
 
+from turgor.core.model.loads.channel import closed_cavities
 from turgor.core.model.model import Model
+from turgor.core.model.places import NodesAt
 from turgor.core.solvers.procedures.channel_flow import refuse_channels
 from turgor.foundation.errors import TurgorError
 from turgor.foundation.finding import Finding, Severity
@@ -110,6 +112,10 @@ class Procedure:
         """Name the cavities for which it prescribes a value."""
         return ()
 
+    def emptied(self, model: Model) -> tuple[str, ...]:
+        """Name the cavities whose walls it may bring together."""
+        return ()
+
     def controlled(self, model: Model) -> tuple[str, ...]:
         """Name the cavities whose pressure is unknown, after a check that it can be found."""
         refuse_channels(model, type(self).__name__)
@@ -168,6 +174,24 @@ class Procedure:
         return ()
 
 
+def with_contact_within(model: Model, procedure: Procedure) -> Model:
+    """Return a model whose walls may touch within the cavities that a procedure empties, or liquid may flow out of.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Procedure
+        One, or stages.
+    """
+    emptied = {name for part in procedure.parts() for name in part.emptied(model)}
+    emptied |= set(closed_cavities([*model.loads, *(load for stage in procedure.stages for load in stage.loads)]))
+    if not emptied or model.contact.self_contact is None:
+        return model
+    emptied |= set(model.contact.self_contact.cavities or ())
+    names = tuple(name for name in model.mesh.cavities if name in emptied)
+    return replace(model, contact=model.contact.with_cavities(names))
+
+
 def refuse_remeshing(model: Model) -> None:
     """Refuse a model whose cells cannot be cut on the way.
 
@@ -190,8 +214,17 @@ def refuse_remeshing(model: Model) -> None:
         "liquid that flows through a channel cannot be carried over": any(load.channel for load in model.loads),
         "the damage of a bond cannot be carried over": bool(model.bonds),
     }
+    off = [each.name for each in _points_near(model) if not each.at_node(mesh)]
+    reasons |= {f"the node nearest to the point of '{name}' may be another one on finer cells": True for name in off}
     for reason, holds in reasons.items():
         if holds:
             raise TurgorError(
                 f"procedure.remesh: {reason}; leave remesh out, and mesh the body finer where it degrades."
             )
+
+
+def _points_near(model: Model) -> list[NodesAt]:
+    """Places of supports and loads that are the node nearest to a point."""
+    places = [getattr(each, "face", None) for each in (*model.supports, *model.loads)]
+    places += [place for each in model.supports for place, *_ in getattr(each, "terms", ())]
+    return [each for each in places if isinstance(each, NodesAt) and each.near is not None]

@@ -110,7 +110,8 @@ def _check_still(path: Path, node: int, freedom: int) -> None:
 
 
 def _rounded(vector: np.ndarray) -> Vector:
-    x, y, z = (float(f"{part:.9g}") if abs(part) > ROUND_OFF.mesh_digits else 0.0 for part in vector)
+    least = ROUND_OFF.mesh_digits * np.abs(vector).max()
+    x, y, z = (float(f"{part:.9g}") if abs(part) > least else 0.0 for part in vector)
     return x, y, z
 
 

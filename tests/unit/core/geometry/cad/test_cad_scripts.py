@@ -187,7 +187,10 @@ def test_a_table_of_files_gives_the_part_with_the_dimensions(tmp_path):
         ("wall (kPa),file\n1,finger.step\n", ("wall (kPa)",)),
         ("wall (mm),file\nthin,finger.step\n", ("wall", "'thin'", "mm")),
         ("wall (mm),file\n1,2,finger.step\n", ("3 cells", 2)),
-        ("", ("'file'", "none")),
+        ("wall (mm);file\n1,5;finger.step\n", ("semicolons", "commas")),
+        ("wall (mm),file,wall (mm)\n1,finger.step,2\n", ("columns 'wall'",)),
+        ("wall (mm),file\nnan,finger.step\n", ("wall", "'nan'", "mm")),
+        ("", ("empty",)),
     ],
 )
 def test_tables_that_are_none_are_refused(tmp_path, text, facts):

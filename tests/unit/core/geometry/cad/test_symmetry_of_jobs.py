@@ -61,6 +61,18 @@ def folder(tmp_path_factory):
             "z",
             "the face 'fixed' is moved along y",
         ),
+        (
+            '[fibers.rod]\nthrough = [[[0, "3 mm", "6.5 mm"], ["28 mm", "3 mm", "6.5 mm"]]]\nE = "1 GPa"\n'
+            'diameter = "0.2 mm"',
+            "",
+            "threads 'rod' run through points",
+        ),
+        (
+            '[fibers.hoops]\nface = "outside"\nE = "1 GPa"\ndiameter = "0.2 mm"\nangle_from_axis = "90 deg"\n'
+            'spacing = "3 mm"\nform = "smeared"\nwithin = { y_from = "-9 mm", y_to = "0 mm" }',
+            "z",
+            "the winding 'hoops' has limits along y",
+        ),
         ('[obstacles.floor]\nshape = "plane"\npoint = [0, 0, "-9 mm"]\nnormal = "+z"', "", "obstacle 'floor'"),
     ],
 )

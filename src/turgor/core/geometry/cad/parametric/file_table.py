@@ -1,15 +1,15 @@
 """Tables of CAD files: a CSV file with a column for each dimension, and the file of each part."""
 
-import csv
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
-from math import isclose
+from math import isclose, isfinite
 from pathlib import Path
 
 from turgor.core.geometry.cad.parametric.parameter import Parameter, Stated, arguments, shown_dimensions
 from turgor.core.geometry.cad.parametric.running import ENDINGS
+from turgor.core.materials.experiments.file_text import csv_rows
 from turgor.foundation.errors import TurgorError, near_file
 from turgor.units import UNITS
 
@@ -100,9 +100,13 @@ def read_file_table(path: Path) -> FileTable:
     TurgorError
         If a column, a number or a file is missing.
     """
-    with path.open(newline="", encoding="utf-8-sig") as lines:
-        header, *rows = [row for row in csv.reader(lines) if any(cell.strip() for cell in row)] or [[]]
+    header, *rows = (row for _, row in csv_rows(path))
+    if len(header) == 1 and ";" in header[0]:
+        raise TurgorError(f"'{path.name}' has semicolons between its columns; commas are needed, and decimal points.")
     names = [_column(cell, path) for cell in header]
+    twice = [name for name in dict(names) if sum(name == each for each, _ in names) > 1]
+    if twice:
+        raise TurgorError(f"'{path.name}' has several columns '{twice[0]}'; give each dimension one.")
     if FILE not in dict(names):
         listed = ", ".join(name for name, _ in names) or "none"
         raise TurgorError(f"'{path.name}' has no column '{FILE}' with the CAD file of each part; it has {listed}.")
@@ -145,11 +149,12 @@ def _row(row: Sequence[str], names: Sequence[tuple[str, str]], path: Path) -> tu
 
 def _cell(name: str, cell: str, unit: str, path: Path) -> Stated:
     try:
-        return float(cell)
+        number: Stated = float(cell) if isfinite(float(cell)) else cell
     except ValueError:
-        if unit or not cell:
-            raise TurgorError(f"'{path.name}': {name} is '{cell}'; a number in {unit or 'a cell'} is needed.") from None
-        return cell
+        number = cell
+    if isinstance(number, str) and (unit or not cell):
+        raise TurgorError(f"'{path.name}': {name} is '{cell}'; a number in {unit or 'a cell'} is needed.")
+    return number
 
 
 def _same(first: Stated, second: Stated) -> bool:
