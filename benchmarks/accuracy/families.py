@@ -42,7 +42,7 @@ OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 #: The demo has a page of its own (docs/mesh-independence.md).
 FAMILIES = tuple(name for name in ACTUATORS if name != "fast_pneunet")
 #: Mesh of each reference: longest edge, and where given, edges next to sharp edges, the longest edge along a straight
-#: path and on cavities [mm] and the kind of cells.
+#: path and on cavities [mm], cells through a wall and around a quarter of a turn, and the kind of cells.
 REFERENCES: dict[str, dict[str, Any]] = {
     "bellows_of_revolution": {"size": 0.4, "edge": 0.02, "cells": "axisymmetric"},
     "bidirectional_bender": {"size": 4.5, "edge": 0.3, "along": 13.5},
@@ -65,7 +65,7 @@ REFERENCES: dict[str, dict[str, Any]] = {
     "trapezoidal_pneunet": {"size": 2.7, "edge": 0.4},
     "triangular_pneunet": {"size": 2.7, "edge": 0.4},
     "twisting_tube": {"size": 3.0, "edge": 0.3},
-    "two_material_bender": {"size": 3.0, "edge": 0.3},
+    "two_material_bender": {"size": 8.0, "along": 12.0, "wall_cells": 4, "quarter_cells": 12},
 }
 
 
@@ -77,9 +77,10 @@ def job_of(name: str) -> Job:
 def meshed(job: Job, spec: dict[str, Any]) -> tg.Mesh:
     """The default mesh where nothing is specified, else a mesh of this size, short next to edges where requested."""
     geometry = job.geometry()
-    if "edge" in spec:
-        along = spec["along"] * mm if "along" in spec else None
-        fine = Fineness(size=spec["size"] * mm, edge=spec["edge"] * mm, along=along)
+    if spec and ("edge" in spec or "cells" not in spec):
+        lengths = {key: spec[key] * mm for key in ("size", "edge", "along") if key in spec}
+        counts = {key: spec[key] for key in ("wall_cells", "quarter_cells") if key in spec}
+        fine = Fineness(**lengths, **counts)
         if spec.get("cells") == "axisymmetric" and geometry._sweep is not None:
             return axisymmetric_mesh(geometry, replace(fine, corners=geometry._sweep.hinges))
         return replace(swept_mesh(geometry, fine), serendipity=False)

@@ -14,6 +14,7 @@ from turgor.core.meshing.sizing.sizes import (
     check_features,
     check_quality,
     check_settings,
+    is_block,
     size_range,
     wall_size,
 )
@@ -103,7 +104,8 @@ def _fillable(geometry: Geometry, most: float) -> bool:
         refuse_inverted(mesh)
         count, hinges = mesh.unknown_count, bool(geometry._sweep.hinges)
         few = count <= SIZING.unknowns_of_pairs or hinges or is_lattice(geometry, fine)
-        small = count <= most and not (mesh.serendipity and most < inf)  # a large mesh is no draft
+        large = mesh.serendipity and most < inf and not is_block(geometry)  # a large mesh is no draft
+        small = count <= most and not large
         return few and (small or is_grid_row(geometry, fine))
     except TurgorError:
         return False

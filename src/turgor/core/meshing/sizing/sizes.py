@@ -198,6 +198,23 @@ def is_tube(geometry: Geometry) -> bool:
     return 2 * max(lengths) > sum(lengths) and max(lengths) > THIN_CORNERS.long * geometry.smallest_wall
 
 
+def is_block(geometry: Geometry) -> bool:
+    """Whether layers lie on each other up z without air around them: a block with chambers in it.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+    >>> from turgor.core.geometry.actuators.helical_pneunet import HelicalPneuNet
+    >>> from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
+    >>> [is_block(kind().build()) for kind in (SlowPneuNet, FastPneuNet, HelicalPneuNet)]
+    [True, False, False]
+    """
+    sweep = geometry._sweep
+    if sweep is None or sweep.path != Along(axis=2):
+        return False
+    return all(name is not None for layer in sweep.layers for name, _ in layer.fill)
+
+
 def is_row(geometry: Geometry) -> bool:
     """Whether a hollow section comes again along a straight path, as where chambers stand in a row.
 
@@ -213,6 +230,20 @@ def is_row(geometry: Geometry) -> bool:
         return False
     hollow = [layer.fill for layer in sweep.layers if any(str(name).startswith("cavity") for name, _ in layer.fill)]
     return len(set(hollow)) < len(hollow)
+
+
+def has_both_sides(geometry: Geometry) -> bool:
+    """Whether a section of a sweep passes several cavities, as where chambers stand on both sides of a layer.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.bidirectional_pneunet import BidirectionalPneuNet
+    >>> from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+    >>> [has_both_sides(kind().build()) for kind in (BidirectionalPneuNet, FastPneuNet)]
+    [True, False]
+    """
+    layers = () if geometry._sweep is None else geometry._sweep.layers
+    return any(len({n for n, _ in layer.fill if str(n).startswith("cavity")}) > 1 for layer in layers)
 
 
 def _check_wall_cells(wall_cells: object) -> None:

@@ -1,6 +1,7 @@
 """Sections of rings, discs and their sectors: cells between circles and rays, around a core of squares."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 from math import atan2, ceil, hypot, pi
 
@@ -56,6 +57,7 @@ def polar_section(layers: Sequence[Layer], outlines: Sequence[Outline], fine: Fi
     outlines : sequence of Outline
         What circles and rays must follow.
     fine : Fineness
+        A single wall of several materials gets two cells at least: stresses change along it and through it.
 
     Returns
     -------
@@ -67,8 +69,12 @@ def polar_section(layers: Sequence[Layer], outlines: Sequence[Outline], fine: Fi
         return None
     radii, angles = _features(outlines, center)
     middles = np.array([(a + b) / 2 for a, b in pairwise(angles)])
-    inner = np.array(center) + radii[0] / 2 * np.stack([np.cos(middles), np.sin(middles)], axis=1)
-    solid = any(is_solid(name) for name in names_at(layers, inner).ravel())
+    origin, outward = np.array(center), np.stack([np.cos(middles), np.sin(middles)], axis=1)
+    solid = any(is_solid(name) for name in names_at(layers, origin + radii[0] / 2 * outward).ravel())
+    if len(radii) == 2:
+        wall = names_at(layers, origin + radii.mean() * outward)
+        if any(len({name for name in row if is_solid(name)}) > 1 for row in wall):
+            fine = replace(fine, wall_cells=max(fine.wall_cells, SECTION.wall_of_several))
     if not solid:
         lines = np.concatenate([[0.0, radii[0] / 2], divided(radii, fine)])
         return _moved(_ring(lines, divided_turn(angles, radii[-1], fine)), center)

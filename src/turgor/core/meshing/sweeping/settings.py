@@ -14,6 +14,9 @@ class SectionSettings:
     along_axes, along_diagonal : float
         The square in the core of a disc, as at the end of an extending cylinder, reaches this share of the radius along
         the axes, and between them.
+    wall_of_several : int
+        Cells through the wall of a tube of several materials. The stress of a two-material bender (99 %) is 148.7 kPa
+        with one, 152.2 with two and 154.1 with four; other tubes are as exact with one.
     good_pair : float
         Triangles are joined where the sine of the worst corner is above this: corners between 37° and 143°. Sections of
         omnidirectional actuators, joints and trapezoidal PneuNets change at half and double.
@@ -25,6 +28,7 @@ class SectionSettings:
     core: float = 0.5
     along_axes: float = 0.6
     along_diagonal: float = 0.46
+    wall_of_several: int = 2
     good_pair: float = 0.6
     flat_corner: float = 0.25
     longest_per_gap: float = 2.0

@@ -10,7 +10,7 @@ from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.geometry.shapes.sections import Outline
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.sizing.settings import SIZING
-from turgor.core.meshing.sizing.sizes import is_row, is_tube
+from turgor.core.meshing.sizing.sizes import has_both_sides, is_block, is_row, is_tube
 from turgor.core.meshing.sweeping.axis import core_outline, core_radius, reaches_axis, with_core, without_core
 from turgor.core.meshing.sweeping.grid import grid_section
 from turgor.core.meshing.sweeping.hexahedra import fill
@@ -30,8 +30,9 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
 
     All nodes lie on the true shape. In a large mesh the middles of sides and cells follow the other nodes; where that
     is not enough, it has no short cells next to feature lines, unless their length is stated. In a grid of chambers in
-    a row, short cells stand next to its outer walls alone before that. Where the section is a grid or rings, walls get
-    one cell unless more are requested; sections of other outlines get two.
+    a row, short cells stand next to its outer walls alone before that. A block with chambers in it has shorter ones,
+    and middles that follow, if few unknowns suffice for these. Where the section is a grid or rings, walls get one cell
+    unless more are requested; sections of other outlines get two.
 
     Parameters
     ----------
@@ -57,6 +58,10 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     (373, '27-node hexahedron', 'cavity')
     """
     fine = short_at_edges(geometry, fine)
+    if fine.edge is None and fine.lines == "all" and is_block(geometry):
+        shorter = replace(_all_nodes(geometry, replace(fine, edge=SIZING.block_edge * fine.size)), serendipity=True)
+        if shorter.unknown_count <= SIZING.short_cells:
+            return shorter
     mesh = _all_nodes(geometry, fine)
     if is_grid_row(geometry, fine):
         free_middles, short_cells, first = fine.row, fine.row, "outer"
@@ -104,7 +109,8 @@ def short_at_edges(geometry: Geometry, fine: Fineness) -> Fineness:
         return replace(fine, corners=sweep.hinges, edge=fine.edge or SIZING.hinge * fine.size)
     if fine.edge is None and is_tube(geometry) and grid_section(sweep.outlines, fine) is not None:
         along = max(fine.along or 0.0, SIZING.tube_along * fine.size)
-        return replace(fine, edge=SIZING.tube_edge * fine.size, along=along)
+        cells = max(fine.wall_cells, SIZING.tube_cells if has_both_sides(geometry) else 1)
+        return replace(fine, edge=SIZING.tube_edge * fine.size, along=along, wall_cells=cells)
     return fine
 
 

@@ -6,11 +6,17 @@ import numpy as np
 import pytest
 
 from turgor.core.geometry.actuators.bellows_of_revolution import BellowsOfRevolution
+from turgor.core.geometry.actuators.bidirectional_bender import BidirectionalBender
+from turgor.core.geometry.actuators.contracting_tube import ContractingTube
+from turgor.core.geometry.actuators.extending_cylinder import ExtendingCylinder
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.actuators.rectangular_bender import RectangularBender
+from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
+from turgor.core.geometry.actuators.two_material_bender import TwoMaterialBender
 from turgor.core.geometry.extrusion import Layer
 from turgor.core.geometry.parts.folds import Folds
 from turgor.core.geometry.shapes.sections import Outline, disc, half_disc, polygon, rectangle, ring_sector
+from turgor.core.meshing.sizing.settings import SIZING
 from turgor.core.meshing.sweeping.general import general_section
 from turgor.core.meshing.sweeping.grid import grid_section
 from turgor.core.meshing.sweeping.pairing import corner_sines, paired
@@ -226,5 +232,26 @@ def test_rectangular_tubes_have_short_cells_within_and_long_ones_along() -> None
     y = np.unique(np.round(made.points[made.cells[:, :8], 1], 9))
     assert np.diff(x).max() > 4.6 * mm
     assert np.diff(y).min() == pytest.approx(0.5 * mm, rel=1e-6)
+    two = short_at_edges(BidirectionalBender(length=110 * mm).build(), Fineness(size=4.5 * mm))
+    assert (two.wall_cells, short_at_edges(bender, Fineness(size=4.5 * mm)).wall_cells) == (3, 1)
     pneunet = swept_mesh(FastPneuNet(chambers=2, length=20 * mm).build(), Fineness(size=4 * mm))
     assert len(pneunet.cells) == 373  # as before: no tube
+
+
+def test_a_block_with_few_chambers_has_two_cells_through_its_walls() -> None:
+    for chambers, short in ((2, True), (11, False)):
+        made = swept_mesh(SlowPneuNet(chambers=chambers, length=chambers * 10 * mm).build(), Fineness(size=4.5 * mm))
+        z = np.unique(np.round(made.points[made.cells[:, :8], 2] / mm, 6))
+        assert (13.75 in z) == short  # 0.75 mm from the inner side of the top wall at 13 mm
+        assert made.serendipity == short
+        assert made.unknown_count <= SIZING.short_cells
+
+
+def test_the_wall_of_a_tube_of_two_materials_has_two_cells() -> None:
+    for kind, cells in ((TwoMaterialBender, 2), (ExtendingCylinder, 1), (ContractingTube, 1)):
+        sweep = kind().build()._sweep
+        section = polar_section(sweep.layers, sweep.outlines, FINE)
+        assert section is not None
+        radii = np.unique(np.round(np.hypot(*section.points[section.quads[:, :4]].T) / mm, 6))
+        through = radii[radii >= kind().inner_radius / mm - 1e-6]
+        assert len(through) == cells + 1
