@@ -32,6 +32,7 @@ from turgor.views.plots.figures import write_figure
 from turgor.views.plots.response_plots import write_plot
 from turgor.views.report.headline import headline
 from turgor.views.report.page import Picture, Report, write_report
+from turgor.views.viewer.scene import scene_of
 
 #: Description of each file, for the report.
 CONTENTS: Mapping[str, str] = {
@@ -78,13 +79,15 @@ def write_results(outcome: RunOutcome, notify: Callable[[str], None], path: Path
 
 
 def draw_path(outcome: RunOutcome, notify: Callable[[str], None], path: PathFields) -> None:
-    """Write the fields and pictures that the job requests: the files that do not wait for mesh errors."""
+    """Write fields and pictures that the job requests, and collect the scene of its report: no mesh error is needed."""
     output = outcome.job.output
     if output.fields:
         write_fields(outcome, path, notify, frozenset())
     if output.pictures:
         notify("drawing")
         write_pictures(outcome, path, drawn_from(outcome), frozenset())
+    if output.report:
+        scene_of(outcome.solution, outcome.response, fields=path)  # `path` remembers what it draws
 
 
 def write_fields(

@@ -109,10 +109,15 @@ def scene_of(
 
 def _values(path: PathFields, response: Response | None, surface: Surface, steps: Sequence[int]) -> dict[str, Any]:
     """What the page reads of some states of a solution."""
+    labels = [{"state": k, "label": _label(path.solution, response, k)} for k in steps]
+    return {"steps": labels, **path.once(("viewer", *steps), lambda: _drawn(path, surface, steps))}
+
+
+def _drawn(path: PathFields, surface: Surface, steps: Sequence[int]) -> dict[str, Any]:
+    """What the page draws of some states."""
     states = [path.at(k) for k in steps]
     inside = inside_of(states[0], len(states), BYTES)
     return {
-        "steps": [{"state": k, "label": _label(path.solution, response, k)} for k in steps],
         "surface": _surface(states, surface, path.facts),
         "images": [image.matrix for image in path.facts.images],
         "fields": shown_fields(states, surface, inside),

@@ -5,7 +5,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.multipoint import UNTIED, MultiPoint, Places
-from turgor.core.engine.algebra.pattern import Pattern, locate
+from turgor.core.engine.algebra.pattern import Pattern
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -63,11 +63,10 @@ class Layout:
         base = sp.csc_matrix(
             (np.ones(len(self.base.indices), np.int32), self.base.indices, self.base.indptr), shape=(size, size)
         )
-        both = (base + graph).tocsc()
+        both = (base + 2 * graph).tocsc()
         both.sort_indices()
         self.pattern = Pattern(size, both.indptr.astype(np.int64), both.indices.astype(np.int32))
-        columns = np.repeat(np.arange(size), np.diff(self.base.indptr))
-        self._place = locate(self.pattern.indptr, self.pattern.indices, self.base.indices.astype(np.int64), columns)
+        self._place = np.flatnonzero(both.data % 2).astype(np.int32)  # odd: an entry of the base, whose order stays
         self._find_prescribed()
 
     def spread(self, data: Array) -> Array:

@@ -1,9 +1,12 @@
 """Fields along a path: each state is evaluated once for measures, files, pictures and the viewer."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Hashable, Iterator
+from typing import Any, TypeVar
 
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.solvers.solution import Solution
+
+Value = TypeVar("Value")
 
 #: Nodes of all states whose fields are saved: 11 numbers each, so 180 MB at most.
 MOST_CACHED = 2_000_000
@@ -30,6 +33,14 @@ class PathFields:
         self.facts = facts or MeshFacts(solution.model.mesh)
         self._room = most // len(solution.model.mesh.points)
         self._cached: dict[int, StateFields] = {}
+        self._made: dict[Hashable, Any] = {}
+
+    def once(self, key: Hashable, make: Callable[[], Value]) -> Value:
+        """Return what was made of this path under a key, which is made when it is first requested."""
+        if key not in self._made:
+            self._made[key] = make()
+        value: Value = self._made[key]
+        return value
 
     def grown(self, solution: Solution) -> "PathFields":
         """The fields of a path that has grown; those that are saved of its states stay."""

@@ -16,6 +16,7 @@ from turgor.job import run
 from turgor.job.output import growing_files
 from turgor.job.read import read_job
 from turgor.job.run import run_job
+from turgor.views.viewer import scene
 
 JOB = """\
 [actuator]
@@ -116,10 +117,10 @@ def test_states_are_measured_while_the_next_step_is_solved(job, tmp_path, monkey
 
 def test_a_table_that_cannot_be_written_on_another_thread_ends_the_run(job, monkeypatch):
     def full(file, solution):
-        raise OSError(errno.ENOSPC, "no space left", str(file))
+        raise PermissionError(errno.EACCES, "denied", str(file))
 
     monkeypatch.setattr(growing_files, "write_steps", full)
-    with pytest.raises(OSError, match="no space left"):
+    with pytest.raises(PermissionError):
         run_job(job, threads=2)
 
 
@@ -133,3 +134,22 @@ def test_fields_of_a_state_are_computed_once(job, monkeypatch):
     monkeypatch.setattr(state_fields, "cell_fields", counted)
     outcome = run_job(replace(job, output=replace(job.output, fields=True, measures=("von_mises_p99",))), threads=2)
     assert len(computed) == len(set(computed)) == len(outcome.solution.states)
+
+
+def test_the_scene_of_a_report_does_not_wait_for_the_estimate(job, tmp_path, monkeypatch):
+    drawn, shown, collected = [], scene.shown_fields, Event()
+
+    def counted(*given):
+        drawn.append(given)
+        collected.set()
+        return shown(*given)
+
+    def estimate(_, response, *others):
+        assert collected.wait(20)
+        return response, ()
+
+    monkeypatch.setattr(scene, "shown_fields", counted)
+    monkeypatch.setattr(run, "_with_errors", estimate)
+    run_job(replace(job, output=replace(job.output, report=True)), threads=2)
+    assert len(drawn) == 1
+    assert "von Mises stress" in (tmp_path / "finger-results" / "report.html").read_text(encoding="utf-8")
