@@ -47,6 +47,12 @@ class FileTable:
             digest.update(sha256(file.read_bytes()).digest())
         return digest.hexdigest()
 
+    @property
+    def first(self) -> dict[str, Stated]:
+        """Dimensions of the first part, as a job states them."""
+        units = {each.name: each.unit for each in self.parameters}
+        return {name: f"{value} {units[name]}" if units[name] else value for name, value in self.rows[0][0].items()}
+
     def file(self, stated: Mapping[str, Stated]) -> Path:
         """Return the file of the part with some dimensions.
 
