@@ -77,6 +77,14 @@ def test_a_cad_file_becomes_a_job_that_can_be_checked(folder, capsys):
     assert main(["check", "jobs/one.toml"]) == DONE
 
 
+@pytest.mark.usefixtures("read_here")
+def test_a_table_of_cad_files_becomes_a_job_of_its_first_part(folder):
+    shutil.copy(EXAMPLES / "cad_file.step", folder / "one.step")
+    (folder / "parts.csv").write_text("wall (mm),kind,file\n1.5,a,one.step\n2,b,one.step\n")
+    assert main(["init", "parts.csv"]) == DONE
+    assert read_job(folder / "parts.toml").actuator.dimensions == {"wall": "1.5 mm", "kind": "a"}
+
+
 def test_a_mesh_file_becomes_a_job(folder):
     write_mesh_vtu(folder / "bar.vtu", meshes.hollow_box(3))
     assert main(["init", "bar.vtu"]) == DONE

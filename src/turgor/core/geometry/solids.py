@@ -8,6 +8,7 @@ from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.extrusion import PlaneName, Sweep, layers_of
 from turgor.core.geometry.geometry import Geometry, check_volume
 from turgor.core.geometry.names import cavity_names
+from turgor.core.geometry.parts.films import film_geometry
 from turgor.core.geometry.rules import check_length
 from turgor.core.geometry.shapes.film_shape import FilmShape, Patch
 from turgor.core.geometry.shapes.sections import Outline, disc, prism, rectangle
@@ -259,16 +260,7 @@ class Film:
         -------
         Geometry
         """
-        faces = {name for patch in self.patches for name in (*patch.faces, *patch.edges) if name}
-        shape = FilmShape(patches=self.patches)
-        low, high = shape.bounding_box
+        faces = {name for patch in self.patches for name in patch.faces}
+        low, high = FilmShape(patches=self.patches).bounding_box
         extent = max(b - a for a, b in zip(low, high, strict=True)) * METERS_PER_CAD_UNIT
-        return Geometry(
-            name=self.name,
-            smallest_wall=extent,
-            cavity_volumes=dict.fromkeys(cavity_names(faces), 0.0),
-            solid_volume=0.0,
-            regions=(),
-            faces=tuple(sorted(faces)),
-            shape=shape,
-        )
+        return film_geometry(self.name, self.patches, extent, dict.fromkeys(cavity_names(faces), 0.0))

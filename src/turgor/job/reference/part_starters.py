@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +10,9 @@ import numpy as np
 from turgor.core.geometry.cad.cad_file import CadFile
 from turgor.core.geometry.cad.files import SUFFIXES
 from turgor.core.geometry.cad.inspection import FaceFacts, Inspection, inspect_cad
-from turgor.core.geometry.cad.parametric.drawn import part_file
+from turgor.core.geometry.cad.parametric.drawn import PARAMETRIC, part_file
+from turgor.core.geometry.cad.parametric.file_table import read_file_table
+from turgor.core.geometry.cad.parametric.parameter import Stated
 from turgor.core.geometry.cad.selectors import Selector, WithNormal
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.exchange.mesh_file import MeshFile
@@ -26,7 +28,7 @@ from turgor.job.tables.mesh_files import MESH_FILE
 from turgor.units import mm
 
 #: Endings of files that hold a part.
-PART_ENDINGS = (*SUFFIXES, ".py", *READERS)
+PART_ENDINGS = (*SUFFIXES, *PARAMETRIC, *READERS)
 
 #: A plane face is at the end of a part if it is this near to it, relative to the length of the part.
 AT_THE_END = 0.02
@@ -43,6 +45,7 @@ class _Part:
     kind: str
     ends: Mapping[str, str]
     shape: Geometry
+    dimensions: Mapping[str, Stated] = field(default_factory=dict)
 
 
 def is_part(name: str) -> bool:
@@ -62,7 +65,7 @@ def part_starter(file: Path, folder: Path, unit: str | None = None) -> str:
     Parameters
     ----------
     file : Path
-        CAD file, script that draws a part, or mesh file.
+        CAD file, script that draws a part, table of CAD files, or mesh file.
     folder : Path
         Where the job will lie; the path of the part counts from there.
     unit : str, optional
@@ -80,7 +83,13 @@ def part_starter(file: Path, folder: Path, unit: str | None = None) -> str:
     """
     part = _mesh_part(file, unit) if file.suffix.lower() in READERS else _cad_part(file, unit)
     faces = {name: {"normal": normal} for name, normal in part.ends.items()}
-    table = {"type": part.kind, "file": _from(folder, file), "unit": unit, "faces": faces}
+    table = {
+        "type": part.kind,
+        "file": _from(folder, file),
+        "unit": unit,
+        "faces": faces,
+        "dimensions": part.dimensions,
+    }
     lines = [f"{key} = {toml(value, Kind(words=''))}" for key, value in table.items() if value]
     head = [f"A job for {file.name}, to begin with: choose your material; check which faces are fixed and measured."]
     text = "".join(f"# {line}\n" for line in (*head, *part.comment))
@@ -89,15 +98,17 @@ def part_starter(file: Path, folder: Path, unit: str | None = None) -> str:
 
 
 def _cad_part(file: Path, unit: str | None) -> _Part:
-    with part_file(file, unit=unit) as drawn:
+    dimensions = read_file_table(file).first if file.suffix.lower() == ".csv" else {}  # a script has defaults
+    with part_file(file, stated=dimensions, unit=unit) as drawn:
         inspection = inspect_cad(drawn, unit=unit)
     axis = int(np.argmax(inspection.size))
     ends = {name: f"{sign}{'xyz'[axis]}" for name, sign in ENDS.items() if _has_end(inspection, axis, sign, name)}
     chosen: dict[str, Selector] = {name: WithNormal(normal) for name, normal in ends.items()}  # type: ignore[arg-type]
-    shape = CadFile(file=file, unit=unit, faces=chosen).build()
+    shape = CadFile(file=file, dimensions=dimensions, unit=unit, faces=chosen).build()
     size = " x ".join(f"{side / mm:.4g}" for side in inspection.size)
     comment = [f"It measures {size} mm (unit {inspection.unit}). `turgor inspect {file.name}` says more."]
-    return _Part(comment=[*comment, *_listed(inspection.faces)], kind=CAD_FILE, ends=ends, shape=shape)
+    comment += _listed(inspection.faces)
+    return _Part(comment=comment, kind=CAD_FILE, ends=ends, shape=shape, dimensions=dimensions)
 
 
 def _has_end(inspection: Inspection, axis: int, sign: str, name: str) -> bool:

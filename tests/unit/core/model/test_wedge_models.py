@@ -119,7 +119,8 @@ def test_walls_that_meet_the_next_sector_are_said(tmp_path, monkeypatch):
     middle = mesh.points[:, 1:].mean(axis=0)
     aside = np.array([0.0, -middle[1], middle[0]]) / np.hypot(*middle)
     wider = np.outer(mesh.points @ aside, aside)  # fins as thick as the room between them and more
-    states = [SimpleNamespace(load_factor=s, displacement=2.0 * s * wider) for s in (0.0, 0.25, 0.5, 0.75, 1.0)]
+    factors = (0.0, 0.25, 0.5, 0.75, 1.0)
+    states = [SimpleNamespace(load_factor=s, displacement=2.0 * s * wider, pressures={}) for s in factors]
     findings = meeting_walls(model(mesh), states)
     assert [each.code for each in findings] == ["B02"]
     assert "met those of the next sector of the wedge at load factor 0." in findings[0].message

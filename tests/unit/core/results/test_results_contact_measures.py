@@ -6,14 +6,20 @@ import numpy as np
 import pytest
 import results_cases as cases
 
+import meshes
 from refused import refused
+from turgor.core.meshing.bodies.combine import together
+from turgor.core.meshing.bodies.named import nodes_of_body
+from turgor.core.meshing.bodies.placing import placed
 from turgor.core.model.contact import Contact
 from turgor.core.model.loads import Moment, Pressure, Traction
 from turgor.core.model.model import Model
 from turgor.core.model.obstacles import Cylinder, Obstacle, Plane
 from turgor.core.model.supports import Fixed
+from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.files.response_csv import read_response
 from turgor.core.results.measures import contact_measures as of
+from turgor.core.results.measures.grasping.grasp_measures import contact_force
 from turgor.core.results.measures.measures import STANDARD_MEASURES, check_measures, find_measure, measure
 from turgor.core.setups.blocked_tip import FixedTip, blocked_force
 from turgor.core.setups.setup_values import BlockedForce, Grasp, Setup
@@ -264,3 +270,14 @@ def test_areas_and_depths_are_written_and_read(tmp_path):
 def test_the_report_names_the_direction_of_the_blocked_force(setup, where, along):
     said = f"; the blocked force is positive along {along}."
     assert any(line.endswith(said) for line in where(question(setup)))
+
+
+def test_the_force_on_a_body_is_that_on_the_whole_of_it():
+    part = meshes.box((10 * mm, 10 * mm, 10 * mm), (1, 1, 1))
+    part = meshes.with_faces(part, symmetry_y=part.faces["y0"])
+    mesh = together({"cut": part, "off": placed(meshes.box((5 * mm,) * 3, (1, 1, 1)), shift=(20 * mm, 5 * mm, 0))})
+    model = Model(mesh, dict.fromkeys(mesh.regions, cases.RUBBER), [Fixed("x0_cut"), Fixed("x0_off")], [])
+    for body, expected in (("cut", (0.6, 0.0, 2.0)), ("off", (0.3, 0.2, 1.0))):
+        node = int(nodes_of_body(mesh, body)[0])
+        state = touching(model, self=touch(model, (0.3, 0.2, 1.0), node))
+        assert contact_force(body)(StateFields(state)) == pytest.approx(np.linalg.norm(expected))

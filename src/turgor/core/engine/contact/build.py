@@ -121,7 +121,8 @@ def outer_sides(model: Model, surface: Surface) -> NDArray[np.bool_]:
     mesh, ties = model.mesh, [each.tied for each in model.supports if each.tied is not None]
     mirrors = of_face(mesh, surface, *mesh.cut_faces, *(face for faces in mesh.parted for face in faces))
     for sides in (sides for tie in ties for sides in tied_sides(mesh, *tie)):  # what is left of both faces may touch
-        mirrors |= np.isin(*(corner_keys(each, len(mesh.points)) for each in (surface.sides, sides)))
+        keys, tied = (corner_keys(each, len(mesh.points)) for each in (surface.sides, sides))
+        mirrors |= np.isin(keys, tied)
     cavities = of_face(mesh, surface, *mesh.cavities)
     return ~mirrors & (surface.outward if surface.outward is not None else ~cavities & ~_pinhole(mesh, surface))
 

@@ -7,9 +7,10 @@ from math import pi, sqrt
 from types import MappingProxyType
 
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.parts.films import film_geometry
 from turgor.core.geometry.parts.layout import check_fields
 from turgor.core.geometry.rules import check_length
-from turgor.core.geometry.shapes.film_shape import FilmShape, Patch, Point
+from turgor.core.geometry.shapes.film_shape import Patch, Point
 from turgor.units import m, mm
 
 #: Where the disc is cut into patches, as shares of the radius: on its axes, on its diagonals, and on its rim there.
@@ -88,15 +89,8 @@ class InflatableBeam:
             No region; faces ``film`` (the tube) and ``tip`` (the end plate), which both belong to ``cavity``,
             ``fixed`` (the clamped rim) and ``symmetry_y``.
         """
-        return Geometry(
-            name="inflatable beam, half",
-            smallest_wall=self.smallest_wall,
-            cavity_volumes=self.cavity_volumes,
-            solid_volume=self.solid_volume,
-            regions=(),
-            faces=("cavity", "film", "fixed", "symmetry_y", "tip"),
-            shape=FilmShape(patches=(*self._tube(), *self._plate())),
-        )
+        name = "inflatable beam, half"
+        return film_geometry(name, (*self._tube(), *self._plate()), self.smallest_wall, self.cavity_volumes)
 
     @property
     def _end(self) -> float:

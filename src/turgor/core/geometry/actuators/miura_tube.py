@@ -7,8 +7,9 @@ from math import cos, hypot, sin, tan
 from types import MappingProxyType
 
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.parts.films import film_geometry
 from turgor.core.geometry.rules import MOST_FOLDS, check_angle, check_count, check_fields, check_length
-from turgor.core.geometry.shapes.film_shape import FilmShape, Patch, Point
+from turgor.core.geometry.shapes.film_shape import Patch, Point
 from turgor.units import deg, m, mm
 
 
@@ -119,15 +120,8 @@ length.
             No region; faces ``film`` (the walls) and ``tip`` (the end plate), which both belong to ``cavity``, and
             ``fixed`` (the rim at x = 0).
         """
-        return Geometry(
-            name=f"Miura tube of {self.rows} row{'s' if self.rows > 1 else ''}",
-            smallest_wall=self.smallest_wall,
-            cavity_volumes=self.cavity_volumes,
-            solid_volume=self.solid_volume,
-            regions=(),
-            faces=("cavity", "film", "fixed", "tip"),
-            shape=FilmShape(patches=tuple(self._patches())),
-        )
+        name = f"Miura tube of {self.rows} row{'s' if self.rows > 1 else ''}"
+        return film_geometry(name, self._patches(), self.smallest_wall, self.cavity_volumes)
 
     def _patches(self) -> list[Patch]:
         """Four parallelograms in each row, and the plate."""

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from turgor.core.geometry.geometry import Geometry
+from turgor.core.geometry.parts.films import film_geometry
 from turgor.core.geometry.parts.layout import check_fields
 from turgor.core.geometry.rules import MOST_CHAMBERS, check_count, check_length
-from turgor.core.geometry.shapes.film_shape import FilmShape, Patch
+from turgor.core.geometry.shapes.film_shape import Patch
 from turgor.units import m, mm
 
 
@@ -88,15 +89,8 @@ class Pouch:
             No region; faces ``film`` (what bulges, also called ``cavity``), ``seams`` (both of them, apart ``fixed``
             and ``tip``), ``symmetry_y``, and ``symmetry_z`` (the seams and the edge at the side).
         """
-        return Geometry(
-            name="pouch, quarter" if self.count == 1 else f"row of {self.count} pouches, quarter",
-            smallest_wall=self.smallest_wall,
-            cavity_volumes=self.cavity_volumes,
-            solid_volume=self.solid_volume,
-            regions=(),
-            faces=("cavity", "film", "fixed", "seams", "symmetry_y", "symmetry_z", "tip"),
-            shape=FilmShape(patches=tuple(self._patches())),
-        )
+        name = "pouch, quarter" if self.count == 1 else f"row of {self.count} pouches, quarter"
+        return film_geometry(name, self._patches(), self.smallest_wall, self.cavity_volumes)
 
     def _patches(self) -> list[Patch]:
         """Pieces of the upper film, seen from below: a seam, then a cavity and a seam for each pouch."""

@@ -7,8 +7,8 @@ from types import MappingProxyType
 
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.parts.facets import Ring, folded_tube, folded_volume
+from turgor.core.geometry.parts.films import film_geometry
 from turgor.core.geometry.rules import MOST_FOLDS, check_count, check_fields, check_length
-from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.units import m, mm
 
 
@@ -98,15 +98,8 @@ class YoshimuraBellows:
             No region; faces ``film`` (the triangles) and ``tip`` (the end plate), which both belong to ``cavity``, and
             ``fixed`` (the rim at x = 0).
         """
-        return Geometry(
-            name=f"Yoshimura bellows, {self.folds} fold{'s' if self.folds > 1 else ''} of {self.sides} sides",
-            smallest_wall=self.smallest_wall,
-            cavity_volumes=self.cavity_volumes,
-            solid_volume=self.solid_volume,
-            regions=(),
-            faces=("cavity", "film", "fixed", "tip"),
-            shape=FilmShape(patches=tuple(folded_tube(self._rings(), self.sides))),
-        )
+        name = f"Yoshimura bellows, {self.folds} fold{'s' if self.folds > 1 else ''} of {self.sides} sides"
+        return film_geometry(name, folded_tube(self._rings(), self.sides), self.smallest_wall, self.cavity_volumes)
 
     def _rings(self) -> list[Ring]:
         """The polygons from the fixed rim to the end plate: valley, crest, valley and so on."""

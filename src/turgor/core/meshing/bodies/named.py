@@ -35,7 +35,8 @@ def named_bodies(mesh: Mesh) -> dict[str, NDArray[np.int64]]:
     """
     out = {}
     for body in find_bodies(mesh):
-        names = [name for name in (*body.regions, *body.faces) if not name.startswith("joint_")]
+        common = {name for name in body.faces if name.startswith("joint_") or name in mesh.cut_faces}
+        names = [name for name in (*body.regions, *body.faces) if name not in common]
         endings = (names[0][k + 1 :] for k, letter in enumerate(names[0]) if letter == "_") if names[1:] else ()
         shared = next((ending for ending in endings if all(name.endswith(f"_{ending}") for name in names)), None)
         if shared is not None:

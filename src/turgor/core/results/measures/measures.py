@@ -148,8 +148,9 @@ def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Me
 
 def _driven_in_some(solution: Solution) -> tuple[Measure, ...]:
     """Measures of what some stages prescribe and others do not, such as the injected volume."""
-    driven = [set(state.driven) for state in solution.states]
-    return tuple(MEASURES[name] for name in sorted(set.union(*driven) - set.intersection(*driven)) if name in MEASURES)
+    every = [name for state in solution.states for name in state.driven]
+    some = (name for name in dict.fromkeys(every) if every.count(name) < len(solution.states))
+    return tuple(MEASURES[name] for name in some if name in MEASURES)
 
 
 def _with_value(standard: Sequence[Measure], at: StateFields) -> tuple[Measure, ...]:

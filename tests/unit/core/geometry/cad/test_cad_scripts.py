@@ -170,6 +170,9 @@ def test_a_table_of_files_gives_the_part_with_the_dimensions(tmp_path):
         part_file(table, stated={"wall": "1.7 mm", "kind": "round"}),
     ):
         pass
+    table.write_text("wall (mm),kind,file\n1.5,1,thin.step\n2,b,thick.step\n")
+    with part_file(table, stated={"wall": "1.5 mm", "kind": "1"}) as file:
+        assert file == tmp_path / "thin.step"
     before = checksum(table)
     (tmp_path / "thin.step").write_text("ISO-10303-21; thinner")
     assert checksum(table) != before

@@ -47,6 +47,12 @@ class FileTable:
             digest.update(sha256(file.read_bytes()).digest())
         return digest.hexdigest()
 
+    @property
+    def first(self) -> dict[str, Stated]:
+        """Dimensions of the first part, as a job states them."""
+        units = {each.name: each.unit for each in self.parameters}
+        return {name: f"{value} {units[name]}" if units[name] else value for name, value in self.rows[0][0].items()}
+
     def file(self, stated: Mapping[str, Stated]) -> Path:
         """Return the file of the part with some dimensions.
 
@@ -112,14 +118,16 @@ def read_file_table(path: Path) -> FileTable:
         raise TurgorError(f"'{path.name}' has no column '{FILE}' with the CAD file of each part; it has {listed}.")
     if not rows:
         raise TurgorError(f"'{path.name}' has no parts below its header.")
-    read = tuple(_row(row, names, path) for row in rows)
+    read = [_row(row, names, path) for row in rows]
     texts = {name for name, _ in names if any(isinstance(dimensions.get(name), str) for dimensions, _ in read)}
+    for row, (dimensions, _) in zip(rows, read, strict=True):  # 1 is a text, too, where another row has a letter
+        dimensions |= {name: cell.strip() for (name, _), cell in zip(names, row, strict=True) if name in texts}
     parameters = tuple(
         Parameter(name=name, unit=unit, kind="text" if name in texts else "number")
         for name, unit in names
         if name != FILE
     )
-    return FileTable(path=path, parameters=parameters, rows=read)
+    return FileTable(path=path, parameters=parameters, rows=tuple(read))
 
 
 def _column(cell: str, path: Path) -> tuple[str, str]:

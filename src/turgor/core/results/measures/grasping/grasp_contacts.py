@@ -81,12 +81,11 @@ def _cuts(at: StateFields, part: GraspContacts) -> list[MirrorPlane]:
 
 
 def contact_force_on(at: StateFields, name: str) -> Array:
-    """Force of all contacts on a body of the mesh, of the modeled part, (3,) [N]."""
-    nodes = nodes_of_body(at.mesh, name)
-    force = np.zeros(3)
-    for touch in at.state.touches.values():
-        force += touch.force[nodes].sum(axis=0)
-    return force
+    """Force of all contacts on a body of the mesh, (3,) [N]: on the whole of it where mirror planes cut it."""
+    nodes, planes = nodes_of_body(at.mesh, name), zip(at.mesh.symmetry_faces, at.facts.mirrors, strict=True)
+    cuts = [plane for face, plane in planes if np.isin(nodes, at.mesh.face_nodes(face)).any()]
+    force = sum((touch.force[nodes].sum(axis=0) for touch in at.state.touches.values()), np.zeros(3))
+    return np.asarray(sum(force @ image.turn.T for image in images_of(cuts, at.mesh.wedge)))
 
 
 def _on_obstacle(at: StateFields, name: str) -> GraspContacts:

@@ -24,7 +24,7 @@ def contact_force(body: str) -> Measure:
     """
     return Measure(
         name=f"{body}{FORCE}", unit="N", function=lambda at: float(np.linalg.norm(contact_force_on(at, body))),
-        definition=f"magnitude of the force of all contacts on the body {body}, of its modeled part",
+        definition=f"magnitude of the force of all contacts on the body {body}, all of it where mirror planes cut it",
     )  # fmt: skip
 
 
