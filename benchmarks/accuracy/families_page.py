@@ -13,7 +13,7 @@ HEAD = ("family", "cells", "number", "unknowns", "steps", "iterations", "rejecte
 REFERENCE = ("family", "cells", "number", "unknowns", "size [mm]", "edge [mm]", "CPU s", "first measure",
              "tip displacement [mm]", "cavity volume [mL]", "stress, 99 % [kPa]")  # fmt: skip
 #: The first measure of a family is the first of these that its job has.
-FIRST = ("bending_angle", "twist_angle", "tip_displacement_x")
+FIRST = ("bending_angle", "twist_angle", "tip_displacement_z", "tip_displacement_x")
 #: Unit and factor from SI of the first measures.
 SHOWN = {"angle": ("°", 57.29577951308232), "displacement": ("mm", 1e3)}
 

@@ -10,6 +10,7 @@ from turgor.core.geometry.extrusion import Along
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.geometry.shapes.lazy_shape import LateShape
+from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.geometry.thin_corners import THIN_CORNERS
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.sizing.settings import QUALITIES, SIZING
@@ -213,6 +214,38 @@ def is_block(geometry: Geometry) -> bool:
     if sweep is None or sweep.path != Along(axis=2):
         return False
     return all(name is not None for layer in sweep.layers for name, _ in layer.fill)
+
+
+def is_slanted_row(geometry: Geometry) -> bool:
+    """Whether layers lie on each other up z with gaps between them: chambers in a row whose walls are slanted.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.helical_pneunet import HelicalPneuNet
+    >>> from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
+    >>> [is_slanted_row(kind().build()) for kind in (HelicalPneuNet, SlowPneuNet)]
+    [True, False]
+    """
+    sweep = geometry._sweep
+    return sweep is not None and sweep.path == Along(axis=2) and not is_block(geometry)
+
+
+def is_fin(geometry: Geometry) -> bool:
+    """Whether a block with chambers in it tapers or leans, so that its section is no rectangle.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.manta_fin import MantaFin
+    >>> from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
+    >>> [is_fin(kind().build()) for kind in (MantaFin, SlowPneuNet)]
+    [True, False]
+    """
+    sweep = geometry._sweep
+    if sweep is None or not is_block(geometry):
+        return False
+    edges = (edge for outline in sweep.outlines for edge in outline.edges)
+    least = TOLERANCE.round_off * geometry.extent
+    return any(abs(a[0] - b[0]) > least and abs(a[1] - b[1]) > least for a, b, _ in edges)
 
 
 def is_row(geometry: Geometry) -> bool:
