@@ -15,7 +15,6 @@ from turgor.core.meshing.sizing.sizes import (
     check_quality,
     check_settings,
     is_block,
-    is_fin,
     size_range,
     wall_size,
 )
@@ -34,7 +33,7 @@ def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
     truth set (docs/truth.md) their default size is within 1.4 % of the references, that of tetrahedra up to 7 % off. A
     size alone means tetrahedra, as it always did, so that files with a size keep their mesh. So does a draft
     unless hexahedra have few unknowns or fill chambers in a row: elsewhere coarse ones have hardly fewer than those of
-    the default size. A block that tapers, as a fin does, gets tetrahedra that are shorter at its chambers.
+    the default size.
 
     Parameters
     ----------
@@ -70,10 +69,7 @@ def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
     check_settings(geometry, replace(settings, size=size, cells=cells))
     check_face_sizes(geometry, settings.face_sizes, float(size))
     check_features(geometry, settings.ignore_features_below, float(size), cells)
-    chosen = replace(settings, size=float(size), cells=check_cells(geometry, cells))
-    if _free(settings) and cells == "tetrahedra" and settings.quality != "draft" and is_fin(geometry):
-        return replace(chosen, face_sizes=dict.fromkeys(geometry.cavity_volumes, SIZING.fin_chambers * float(size)))
-    return chosen
+    return replace(settings, size=float(size), cells=check_cells(geometry, cells))
 
 
 def _of_films(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
@@ -90,14 +86,9 @@ def chosen_cells(geometry: Geometry, settings: MeshSettings) -> str:
         return FILM_CELLS
     if settings.cells is not None:
         return settings.cells
+    free = settings.size is None and not settings.face_sizes and settings.ignore_features_below is None
     most = QUALITIES[settings.quality].hexahedra
-    return "hexahedra" if _free(settings) and _fillable(geometry, most) else "tetrahedra"
-
-
-def _free(settings: MeshSettings) -> bool:
-    """Whether settings say nothing of sizes and cells."""
-    given = settings.size or settings.cells or settings.face_sizes
-    return not given and settings.ignore_features_below is None
+    return "hexahedra" if free and _fillable(geometry, most) else "tetrahedra"
 
 
 def _fillable(geometry: Geometry, most: float) -> bool:
@@ -107,8 +98,6 @@ def _fillable(geometry: Geometry, most: float) -> bool:
     """
     if geometry._sweep is None or wall_size(geometry) < size_range(geometry)[0]:
         return False  # hexahedra suit every wall, also one that is too thin for that
-    if is_fin(geometry) and most == inf:
-        return False
     fine = Fineness(size=default_size(geometry, "hexahedra"))
     try:
         mesh = swept_mesh(geometry, fine)

@@ -70,13 +70,11 @@ class SizingSettings:
         Length of the cells at the walls of chambers in a block, over the size, where that needs no more than
         `short_cells` unknowns. Four chambers in a block are 1.2 % (tip) and 4.4 % (stress) off with the third of
         `short`, where most walls are one cell thick; with these, 0.6 and 0.2 %, in 8 instead of 2 CPU s.
-    fin_chambers : float
-        Size of tetrahedra on the chambers of a block that tapers, over the size. FIN_FACTS
     short_row : float
         Largest cells of a short row of slanted chambers, or of chambers on both sides of a layer, over the size; short
         ones stand at outer walls, and middles follow. Three helical chambers are 0.8 % (angle) and 3.7 % (stress) off
-        with cells as elsewhere, 0.9 and 0.4 % with these, in 16 instead of 21 CPU s; three bidirectional ones 0.7 and
-        4.2 %, 0.5 and 2.1 % with these, in 6 instead of 4 CPU s.
+        with cells as elsewhere, 0.8 and 1.4 % with these, in 15 instead of 21 CPU s; three bidirectional ones 0.7 and
+        4.2 %, 0.4 and 0.4 % with these, in 7 instead of 5 CPU s.
     curved : float
         Size on curved walls that end in thin corners: a share of the size and not of the wall, so that a study of mesh
         sizes refines all of a mesh alike.
@@ -109,7 +107,6 @@ class SizingSettings:
     tube_along: float = 2.0
     tube_cells: int = 3
     block_edge: float = 1 / 6
-    fin_chambers: float = 0.4
     short_row: float = 0.76
     curved: float = 0.7
     folded: float = 0.5

@@ -10,7 +10,6 @@ from turgor.core.geometry.extrusion import Along
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.geometry.shapes.lazy_shape import LateShape
-from turgor.core.geometry.shapes.tolerances import TOLERANCE
 from turgor.core.geometry.thin_corners import THIN_CORNERS
 from turgor.core.meshing.settings import MeshSettings
 from turgor.core.meshing.sizing.settings import QUALITIES, SIZING
@@ -228,24 +227,6 @@ def is_slanted_row(geometry: Geometry) -> bool:
     """
     sweep = geometry._sweep
     return sweep is not None and sweep.path == Along(axis=2) and not is_block(geometry)
-
-
-def is_fin(geometry: Geometry) -> bool:
-    """Whether a block with chambers in it tapers or leans, so that its section is no rectangle.
-
-    Examples
-    --------
-    >>> from turgor.core.geometry.actuators.manta_fin import MantaFin
-    >>> from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
-    >>> [is_fin(kind().build()) for kind in (MantaFin, SlowPneuNet)]
-    [True, False]
-    """
-    sweep = geometry._sweep
-    if sweep is None or not is_block(geometry):
-        return False
-    edges = (edge for outline in sweep.outlines for edge in outline.edges)
-    least = TOLERANCE.round_off * geometry.extent
-    return any(abs(a[0] - b[0]) > least and abs(a[1] - b[1]) > least for a, b, _ in edges)
 
 
 def is_row(geometry: Geometry) -> bool:

@@ -70,15 +70,6 @@ def test_a_draft_of_chambers_in_a_row_has_hexahedra_of_twice_the_size():
     assert not made.findings
 
 
-def test_a_fin_has_tetrahedra_that_are_shorter_at_its_chambers_and_hexahedra_in_a_draft():
-    fin = tg.actuators.MantaFin(chambers=2, length=30 * mm, root_width=30 * mm).build()
-    chosen = chosen_settings(fin, MeshSettings())
-    assert (chosen.cells, dict(chosen.face_sizes)) == ("tetrahedra", {"cavity": pytest.approx(0.4 * chosen.size)})
-    assert chosen_settings(fin, MeshSettings(size=3 * mm)).face_sizes == {}
-    draft = chosen_settings(fin, MeshSettings(quality="draft"))
-    assert (draft.cells, draft.face_sizes) == ("hexahedra", {})
-
-
 @pytest.mark.parametrize("cells", ["tetrahedra", "hexahedra"])
 def test_the_size_follows_the_quality_for_stated_cells(finger, cells):
     normal = default_size(finger, cells)
