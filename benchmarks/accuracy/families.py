@@ -47,6 +47,7 @@ REFERENCES: dict[str, dict[str, Any]] = {
     "bellows_of_revolution": {"size": 0.4, "edge": 0.02, "cells": "axisymmetric"},
     "bidirectional_bender": {"size": 4.5, "edge": 0.3, "along": 13.5},
     "bidirectional_pneunet": {"size": 3.0, "edge": 0.45},
+    "buckling_muscle": {"size": 3.0},
     "contracting_tube": {"size": 1.5, "cells": "hexahedra"},
     "eccentric_bender": {"size": 3.0, "edge": 0.3},
     "extending_cylinder": {"size": 2.0, "edge": 0.2},
@@ -54,7 +55,9 @@ REFERENCES: dict[str, dict[str, Any]] = {
     "fiber_reinforced_cylinder": {"size": 3.0, "edge": 0.15},
     "free_bottom_pneunet": {"size": 3.0, "edge": 0.6},
     "helical_pneunet": {"size": 3.0, "edge": 0.6},
+    "inflatable_beam": {"size": 20.0, "cells": "films"},
     "manta_fin": {"size": 4.5, "edge": 0.7},
+    "miura_tube": {"size": 1.5, "cells": "films"},
     "omnidirectional_actuator": {"size": 3.0, "edge": 0.3},
     "parallel_bellows": {"size": 4.0, "cavity": 0.8, "cells": "tetrahedra"},
     "rectangular_bender": {"size": 4.5, "edge": 0.25},
@@ -65,6 +68,7 @@ REFERENCES: dict[str, dict[str, Any]] = {
     "trapezoidal_pneunet": {"size": 2.7, "edge": 0.4},
     "triangular_pneunet": {"size": 2.7, "edge": 0.4},
     "twisting_tube": {"size": 3.0, "edge": 0.3},
+    "yoshimura_bellows": {"size": 2.5, "cells": "films"},
     "two_material_bender": {"size": 8.0, "along": 12.0, "wall_cells": 4, "quarter_cells": 12},
 }
 
@@ -85,6 +89,8 @@ def meshed(job: Job, spec: dict[str, Any]) -> tg.Mesh:
             return axisymmetric_mesh(geometry, replace(fine, corners=geometry._sweep.hinges))
         return replace(swept_mesh(geometry, fine), serendipity=False)
     settings: dict[str, Any] = {"size": spec["size"] * mm, "cells": spec["cells"]} if spec else {}
+    if spec.get("cells") == "films":
+        settings["cells"] = None
     if "cavity" in spec:
         settings["face_sizes"] = dict.fromkeys(geometry.cavity_volumes, spec["cavity"] * mm)
     return mesh_with(geometry, MeshSettings(**settings))

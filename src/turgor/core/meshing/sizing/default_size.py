@@ -5,7 +5,7 @@ from math import floor, log10
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.meshing.sizing.settings import QUALITIES, SIZING
-from turgor.core.meshing.sizing.sizes import extent_of, has_both_sides, size_for, size_range, wall_size
+from turgor.core.meshing.sizing.sizes import extent_of, size_for, size_range, wall_size
 from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import is_grid_row, swept_mesh
 from turgor.foundation.errors import TurgorError
@@ -18,7 +18,7 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra", quality: str = "
     It is larger where this would make more than about 150,000 unknowns, up to four times the wall, and never more
     than an eighth of the part. Where four times the wall would make more unknowns than can be solved for, it is larger
     still, and only thin walls get smaller cells. A draft is 1.25 times as coarse, with hexahedra of chambers in a row
-    twice, a fine mesh half as coarse. Hexahedra of chambers in a row on both sides are 0.8 times as long.
+    twice, a fine mesh half as coarse.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra", quality: str = "
         size = max(size, size_for(geometry, unknowns))
     size = min(size, high)
     if cells == "hexahedra" and is_grid_row(geometry, Fineness(size=size)):
-        size *= chosen.row * (SIZING.both_sides if has_both_sides(geometry) else 1.0)
+        size *= chosen.row
     digits = 1 - floor(log10(size / mm))
     rounded = floor(round(size / mm * 10**digits, 6)) / 10**digits * mm
     return rounded if rounded >= low else low

@@ -215,6 +215,20 @@ def is_block(geometry: Geometry) -> bool:
     return all(name is not None for layer in sweep.layers for name, _ in layer.fill)
 
 
+def is_slanted_row(geometry: Geometry) -> bool:
+    """Whether layers lie on each other up z with gaps between them: chambers in a row whose walls are slanted.
+
+    Examples
+    --------
+    >>> from turgor.core.geometry.actuators.helical_pneunet import HelicalPneuNet
+    >>> from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
+    >>> [is_slanted_row(kind().build()) for kind in (HelicalPneuNet, SlowPneuNet)]
+    [True, False]
+    """
+    sweep = geometry._sweep
+    return sweep is not None and sweep.path == Along(axis=2) and not is_block(geometry)
+
+
 def is_row(geometry: Geometry) -> bool:
     """Whether a hollow section comes again along a straight path, as where chambers stand in a row.
 

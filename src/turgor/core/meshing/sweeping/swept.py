@@ -10,7 +10,7 @@ from turgor.core.geometry.shapes.film_shape import FilmShape
 from turgor.core.geometry.shapes.sections import Outline
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.sizing.settings import SIZING
-from turgor.core.meshing.sizing.sizes import has_both_sides, is_block, is_row, is_tube
+from turgor.core.meshing.sizing.sizes import has_both_sides, is_block, is_row, is_slanted_row, is_tube
 from turgor.core.meshing.sweeping.axis import core_outline, core_radius, reaches_axis, with_core, without_core
 from turgor.core.meshing.sweeping.grid import grid_section
 from turgor.core.meshing.sweeping.hexahedra import fill
@@ -30,9 +30,9 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
 
     All nodes lie on the true shape. In a large mesh the middles of sides and cells follow the other nodes; where that
     is not enough, it has no short cells next to feature lines, unless their length is stated. In a grid of chambers in
-    a row, short cells stand next to its outer walls alone before that. A block with chambers in it has shorter ones,
-    and middles that follow, if few unknowns suffice for these. Where the section is a grid or rings, walls get one cell
-    unless more are requested; sections of other outlines get two.
+    a row, short cells stand next to its outer walls alone before that. Few chambers in a block, on both sides of a
+    layer or slanted have shorter cells than stated, and middles that follow. Where the section is a grid or rings,
+    walls get one cell unless more are requested; sections of other outlines get two.
 
     Parameters
     ----------
@@ -58,10 +58,11 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     (373, '27-node hexahedron', 'cavity')
     """
     fine = short_at_edges(geometry, fine)
-    if fine.edge is None and fine.lines == "all" and is_block(geometry):
-        shorter = replace(_all_nodes(geometry, replace(fine, edge=SIZING.block_edge * fine.size)), serendipity=True)
-        if shorter.unknown_count <= SIZING.short_cells:
-            return shorter
+    shorter = _shorter(geometry, fine)
+    if shorter != fine:
+        mesh = replace(_all_nodes(geometry, shorter), serendipity=True)
+        if mesh.unknown_count <= SIZING.short_cells:
+            return mesh
     mesh = _all_nodes(geometry, fine)
     if is_grid_row(geometry, fine):
         free_middles, short_cells, first = fine.row, fine.row, "outer"
@@ -72,6 +73,17 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
             break
         mesh = replace(_all_nodes(geometry, replace(fine, lines=lines)), serendipity=True)
     return mesh
+
+
+def _shorter(geometry: Geometry, fine: Fineness) -> Fineness:
+    """How fine chambers in a block, slanted ones in a row, and those on both sides of a layer are if they are few."""
+    if fine.edge is not None or fine.lines != "all":
+        return fine
+    if is_block(geometry):
+        return replace(fine, edge=SIZING.block_edge * fine.size)
+    if is_slanted_row(geometry) or (is_grid_row(geometry, fine) and has_both_sides(geometry)):
+        return replace(fine, size=SIZING.short_row * fine.size, lines="outer")
+    return fine
 
 
 def _all_nodes(geometry: Geometry, fine: Fineness) -> Mesh:

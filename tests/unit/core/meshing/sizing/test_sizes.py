@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from refused import refused
-from turgor.core.geometry.actuators.bidirectional_pneunet import BidirectionalPneuNet
 from turgor.core.geometry.actuators.eccentric_bender import EccentricBender
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.actuators.helical_pneunet import HelicalPneuNet
@@ -77,13 +76,6 @@ def test_default_hexahedra_get_longer_where_they_would_be_too_many() -> None:
     size = default_size(geometry, "hexahedra")
     assert 3 * mm < size <= 4 * mm
     assert mesh(geometry, cells="hexahedra").unknown_count < SIZING.default_unknowns * 1.1
-
-
-def test_hexahedra_of_chambers_on_both_sides_are_shorter() -> None:
-    short = {"chambers": 3, "length": 30 * mm}
-    one_side, both_sides = FastPneuNet(**short).build(), BidirectionalPneuNet(**short).build()
-    assert default_size(both_sides, "tetrahedra") == default_size(one_side, "tetrahedra")
-    assert default_size(both_sides, "hexahedra") == pytest.approx(0.8 * default_size(one_side, "hexahedra"))
 
 
 def test_a_face_can_have_a_smaller_size_and_the_shape_forgets_it() -> None:

@@ -7,9 +7,11 @@ import pytest
 
 from turgor.core.geometry.actuators.bellows_of_revolution import BellowsOfRevolution
 from turgor.core.geometry.actuators.bidirectional_bender import BidirectionalBender
+from turgor.core.geometry.actuators.bidirectional_pneunet import BidirectionalPneuNet
 from turgor.core.geometry.actuators.contracting_tube import ContractingTube
 from turgor.core.geometry.actuators.extending_cylinder import ExtendingCylinder
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
+from turgor.core.geometry.actuators.helical_pneunet import HelicalPneuNet
 from turgor.core.geometry.actuators.rectangular_bender import RectangularBender
 from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
 from turgor.core.geometry.actuators.two_material_bender import TwoMaterialBender
@@ -245,6 +247,15 @@ def test_a_block_with_few_chambers_has_two_cells_through_its_walls() -> None:
         assert (13.75 in z) == short  # 0.75 mm from the inner side of the top wall at 13 mm
         assert made.serendipity == short
         assert made.unknown_count <= SIZING.short_cells
+
+
+@pytest.mark.parametrize(("kind", "length"), [(HelicalPneuNet, 24 * mm), (BidirectionalPneuNet, 20 * mm)])
+def test_few_chambers_that_are_slanted_or_on_both_sides_have_shorter_cells(kind, length: float) -> None:
+    for part, few in ((kind(chambers=2, length=length), True), (kind(), False)):
+        made = swept_mesh(part.build(), Fineness(size=3 * mm))
+        heights = np.ptp(made.points[made.cells[:, :8], 2], axis=1)
+        assert (heights.max() < 0.77 * 3 * mm) == few
+        assert made.serendipity
 
 
 def test_the_wall_of_a_tube_of_two_materials_has_two_cells() -> None:
