@@ -50,8 +50,10 @@ and to 2 % by both kinds. No mesh within 30 CPU s that was tried is within 1 % o
 0.705 mm in 35 CPU s, two cells through the top alone 1.425° and 0.719 mm in 26, or 1.438° and 0.729 mm with middles
 that follow in 16.
 
-Films have no reference in this list where none is stated: a Kresling tube shortens by 1.325, 1.565 and 1.800 mm with
-sides of 20, 10 and 5 mm, which does not converge yet.
+Films have no cells, and their stress is that of 99 % of the nodes. Sides that are short next to folds do not help. A
+Kresling tube has no reference: it shortens by 1.325, 1.565 and 1.800 mm with sides of 20, 10 and 5 mm, by 1.825 mm with
+those of 5 mm and short ones next to folds. The buckling muscle with cells of 3 mm and middles that follow (24,791
+unknowns, 50 CPU s) is 1.1 % off.
 
 {references}
 
@@ -100,7 +102,8 @@ def line(name: str, row: Mapping[str, Any], reference: Mapping[str, Any]) -> tup
     shown = [percent(each, off) for each in (first, "tip_displacement", "cavity_volume", "von_mises_p99")]
     estimate = row["estimates"].get(first, float("nan")) / abs(row["values"][first])
     return (
-        name.replace("_", " "), row["kind"], f"{row['cells']:,}", f"{row['unknowns']:,}", f"{row['steps']}",
+        name.replace("_", " "), row["kind"] if row["cells"] else "film", f"{row['cells']:,}", f"{row['unknowns']:,}",
+        f"{row['steps']}",
         f"{row['iterations']}", f"{row['rejected']}", bold(f"{seconds(row):.1f}", seconds(row) > SECONDS),
         f"{row['estimating']:.1f}", f"{row['wall']:.1f}", value(first, row), shown[0], f"{estimate:.2%}", *shown[1:],
     )  # fmt: skip
