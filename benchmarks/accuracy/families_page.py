@@ -47,8 +47,8 @@ that follow (74,612 unknowns, 46 CPU s) give 1.461° and 0.7223 mm. Tetrahedra s
 1.2 mm at the chambers (80,443 unknowns) give 1.455° and 0.7204 mm, of 3 mm with 1.35 and 1.2 mm there 1.477° and
 1.488°, 0.733 and 0.735 mm, of 1.6 mm everywhere 1.496° and 0.727 mm. So the reference is known to 0.3 % by hexahedra,
 and to 2 % by both kinds. Within 30 CPU s only the first of these tetrahedra (26) come within 1 % of it, by chance as
-the second show: hexahedra with edges of 1 mm give 1.450° and 0.705 mm in 35 CPU s, with two cells through the top alone 1.425° and 0.719 mm in 26, or 1.438° and 0.729 mm with middles
-that follow in 16.
+the second show: hexahedra with edges of 1 mm give 1.450° and 0.705 mm in 35 CPU s, with two cells through the top alone
+1.425° and 0.719 mm in 26, or 1.438° and 0.729 mm with middles that follow in 16.
 
 Films have no cells, and their stress is that of 99 % of the nodes. Sides that are short next to folds do not help. A
 Kresling tube has no reference: it shortens by 1.325, 1.565 and 1.800 mm with sides of 20, 10 and 5 mm, by 1.825 mm with
