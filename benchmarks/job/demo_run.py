@@ -31,10 +31,21 @@ PARTS = ("solving", "measuring", "writing the fields", "plotting", "writing the 
 
 Row = tuple[str, str, str]
 
+#: Rows of chambers without a mesh size: the keys in place of those of the demo, the angle on a fine mesh [°]
+#: (`benchmarks/choices.md`), and the seconds at most.
+DEFAULTS = {
+    "eleven chambers, 22.5 kPa": ({}, 252.3, 30.0),
+    "five chambers, 12 kPa": (
+        {"chambers = 11": "chambers = 5", '"110 mm"': '"50 mm"', '"22.5 kPa"': '"12 kPa"'},
+        60.9,
+        10.0,
+    ),
+}
 
-def run(folder: Path) -> dict[str, float]:
+
+def run(folder: Path, job: Path = pictures.JOB) -> dict[str, float]:
     """Wall seconds of each part of `turgor run`, and of all of it."""
-    command = [sys.executable, "-m", "turgor", "run", str(pictures.JOB), "--threads", str(THREADS)]
+    command = [sys.executable, "-m", "turgor", "run", str(job), "--threads", str(THREADS)]
     began = perf_counter()
     process = subprocess.Popen(
         [*command, "--output", str(folder), "--force"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
@@ -50,6 +61,34 @@ def run(folder: Path) -> dict[str, float]:
     return {part: after - before for part, before, after in zip(PARTS, times, [*times[1:], end], strict=True)} | {
         "all": end - began
     }
+
+
+def on_default_meshes(place: Path) -> list[tuple[str, ...]]:
+    """Rows of chambers as `turgor run` meshes and solves them by default, the second of two runs."""
+    rows = []
+    for number, (name, (keys, reference, most)) in enumerate(DEFAULTS.items()):
+        text = pictures.JOB.read_text(encoding="utf-8").replace('[mesh]\nsize = "3 mm"\n', "")
+        for old, new in keys.items():
+            text = text.replace(old, new)
+        job, folder = place / f"row{number}.toml", place / f"row{number}"
+        job.write_text(text, encoding="utf-8")
+        run(folder, job)
+        spent = run(folder, job)
+        solution = tg.load(folder)
+        angle = float(np.degrees(tg.bending_angle(solution.states[-1]))) % 360
+        taken = f"{len(solution.states) - 1}, {solution.iterations}"
+        rows.append(
+            (
+                name,
+                f"{solution.model.mesh.unknown_count:,}",
+                taken,
+                f"{angle:.1f}° ({angle / reference - 1:+.1%})",
+                f"{spent['solving']:.1f}",
+                f"{spent['all']:.1f}",
+                f"{most:g}",
+            )
+        )
+    return rows
 
 
 def report(folder: Path) -> float:
@@ -74,6 +113,7 @@ def section() -> str:
         again = report(folder)
         solution = tg.load(folder)
         stills = pictures.rows(solution)
+        defaults = on_default_meshes(Path(place))
     taken = sum(int(step["iterations"]) for step in steps)
     cuts = sum(step["accepted"] != "True" for step in steps)
     angle = np.degrees(tg.measure(solution, tg.bending_angle, mesh_error=False).column("bending_angle")[-1])
@@ -95,7 +135,20 @@ def section() -> str:
         f"`turgor run examples/fast_pneunet.toml`, {solution.model.mesh.unknown_count:,} unknowns, {THREADS} threads, "
         "caches filled; pictures once more in one process, the best of two after a first."
     )
-    return f"## Demo as it is run\n\n{text}\n\n{table(('what', 'measured', 'at most'), rows)}\n"
+    head = (
+        "row",
+        "unknowns",
+        "steps, iterations",
+        "angle (off a fine mesh)",
+        "solve, wall s",
+        "whole run, wall s",
+        "at most",
+    )
+    more = "The same without a mesh size, the second of two runs; iterations are those of the whole row."
+    return (
+        f"## Demo as it is run\n\n{text}\n\n{table(('what', 'measured', 'at most'), rows)}\n\n"
+        f"{more}\n\n{table(head, defaults)}\n"
+    )
 
 
 if __name__ == "__main__":
