@@ -14,7 +14,6 @@ from turgor.core.meshing.sweeping.section import Fineness
 from turgor.core.meshing.sweeping.swept import is_grid_row
 from turgor.core.model.model import Model
 from turgor.core.solvers.procedures.procedure import Procedure
-from turgor.core.solvers.procedures.step_options import StepOptions
 from turgor.core.solvers.row_guide import shorter_row
 from turgor.core.solvers.solution import Solution
 from turgor.core.solvers.solve import FEW_UNKNOWNS
@@ -151,7 +150,7 @@ def expected_of(job: Job, model: Model, threads: int) -> Expected:
     unknowns = float(mesh.unknown_count)
     unmet = not isinstance(last, int) and model.contact.for_mesh(mesh) is not None
     draft = unknowns * _draft_share(job, model)
-    led = isinstance(job.procedure, StepOptions) and shorter_row(model, job.procedure) is not None
+    led = shorter_row(model, job.procedure) is not None
     meeting = EXPECTED.meeting * (EXPECTED.led if led else 1.0)
     dense = 1.0 if mesh.cell_type is TETRAHEDRON else EXPECTED.dense
     each = EXPECTED.unknown + (EXPECTED.estimated if job.output.mesh_error else 0.0)

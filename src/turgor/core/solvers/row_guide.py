@@ -10,6 +10,7 @@ import logging
 from dataclasses import dataclass, replace
 from itertools import takewhile
 from math import ceil
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +30,6 @@ from turgor.core.solvers.continuation.tangent_response import load_response
 from turgor.core.solvers.guide import Guide, unguided
 from turgor.core.solvers.problem import Problem
 from turgor.core.solvers.procedures.procedure import Procedure
-from turgor.core.solvers.procedures.step_options import StepOptions
 from turgor.core.solvers.solution import Solution, State
 
 Array = NDArray[np.float64]
@@ -76,10 +76,10 @@ def guide_of(
     """
     if given is not None:
         return Guide.of(system, given)
-    return row_guide(system, tangent, procedure, options) if isinstance(procedure, StepOptions) else None
+    return row_guide(system, tangent, procedure, options)
 
 
-def row_guide(system: System, tangent: Tangent, procedure: StepOptions, options: EngineOptions) -> Guide | None:
+def row_guide(system: System, tangent: Tangent, procedure: Procedure, options: EngineOptions) -> Guide | None:
     """Solve a shorter row of equal parts, and lead the whole one along its path.
 
     Parameters
@@ -87,7 +87,7 @@ def row_guide(system: System, tangent: Tangent, procedure: StepOptions, options:
     system : System
     tangent : Tangent
         Whose clock runs meanwhile.
-    procedure : StepOptions
+    procedure : Procedure
     options : EngineOptions
 
     Returns
@@ -99,16 +99,17 @@ def row_guide(system: System, tangent: Tangent, procedure: StepOptions, options:
     row = shorter_row(system.model, procedure) if mixed else None
     if row is None:
         return None
-    short, loads = replace(system.model, mesh=row.mesh), _loads(procedure)
+    led: Any = procedure  # one with steps, or no guide would lead it
+    short, loads = replace(system.model, mesh=row.mesh), _loads(led)
     placed = _Placed.of(row, system.model, short)
-    states = list(takewhile(placed.fits, _path(placed, replace(procedure, at=loads), tangent, options)))
+    states = list(takewhile(placed.fits, _path(placed, replace(led, at=loads), tangent, options)))
     if not states:
         return None
     unknowns = [placed.unknowns(system, state) for state in states]
     return Guide([0.0, *(state.load_factor for state in states)], [np.zeros(system.size), *unknowns], exact=True)
 
 
-def shorter_row(model: Model, procedure: StepOptions) -> ShortRow | None:
+def shorter_row(model: Model, procedure: Procedure) -> ShortRow | None:
     """Return the shorter row whose path leads that of a model; None where no other path does.
 
     It does where walls of a row of equal parts may meet, pressure alone acts, so that the parts take equal shapes, and
@@ -117,7 +118,7 @@ def shorter_row(model: Model, procedure: StepOptions) -> ShortRow | None:
     Parameters
     ----------
     model : Model
-    procedure : StepOptions
+    procedure : Procedure
     """
     mesh = model.mesh
     pressed = len(pressures_among(model.loads)) == len(model.loads) and not kinks(model)
@@ -129,7 +130,7 @@ def shorter_row(model: Model, procedure: StepOptions) -> ShortRow | None:
     return short_row(mesh) if len(_loads(procedure)) <= ROW_GUIDE.most_loads else None
 
 
-def _loads(procedure: StepOptions) -> tuple[float, ...]:
+def _loads(procedure: Any) -> tuple[float, ...]:
     """Load factors of the requested states, at most the longest step apart."""
     targets = sorted({*procedure.at, 1.0})
     loads: list[float] = []
@@ -139,7 +140,7 @@ def _loads(procedure: StepOptions) -> tuple[float, ...]:
     return tuple(loads)
 
 
-def _path(placed: "_Placed", procedure: StepOptions, tangent: Tangent, options: EngineOptions) -> list[State]:
+def _path(placed: "_Placed", procedure: Any, tangent: Tangent, options: EngineOptions) -> list[State]:
     """States of the shorter row at the requested loads, as far as it gets; none where its walls stay apart."""
     system = System(placed.short)
     threads = options.threads if system.size >= ROW_GUIDE.fewest else 1
