@@ -92,9 +92,6 @@ class PenaltySettings:
     deeper : float
         One update of Newton's method deepens no penetration by more than this share of the cell behind the surface.
         Ten of the cases change with twice as much, two of them by a third fewer iterations.
-    deeper_in_step : float
-        The same of a step of load control, as it is predicted: a step ends there. With 0.04 the demo takes 66 instead
-        of 57 factorizations and five chambers 37 instead of 33.
     margin : float
         An update is shortened only if it would deepen a penetration by this factor more. Without it, "walls meet, one
         step" takes 44 iterations instead of 26, and "walls meet, one pressed" 99 instead of 92.
@@ -110,7 +107,6 @@ class PenaltySettings:
     stiffer_at_once: float = 4.0
     stiffer: float = 64.0
     deeper: float = 0.04
-    deeper_in_step: float = 0.08
     margin: float = 1.5
     unseen: float = 0.5
     shortest: float = 0.1

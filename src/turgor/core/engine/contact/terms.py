@@ -191,14 +191,11 @@ class ContactTerms:
         for k, unknown in enumerate(self.bodies.unknowns):
             data[layout.pattern.diagonal[unknown : unknown + 3]] += self.bodies.springs[k]
 
-    def shortening(self, old: Contacts, new: Contacts, most: float = PENALTY.deeper) -> float:
-        """Share of the way from old to new after which no penetration has deepened too much; 1 if none has.
-
-        ``most`` is what is allowed, as a share of the cell behind.
-        """
+    def shortening(self, old: Contacts, new: Contacts) -> float:
+        """Share of the way from old to new after which no penetration has deepened too much; 1 if none has."""
         share = 1.0
         for part, before, after in zip(self.parts, old.gaps, new.gaps, strict=True):
-            deeper = most * part.surface.height[:, None]
+            deeper = PENALTY.deeper * part.surface.height[:, None]
             start = before.pressed
             allowed = np.minimum(start, 0.0) - deeper
             gap = np.minimum(after.pressed, part.passed(new.position, before, after))

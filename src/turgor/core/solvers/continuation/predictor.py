@@ -21,7 +21,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.core.engine.algebra.tangent import Tangent
-from turgor.core.engine.contact.settings import PENALTY
 from turgor.core.engine.contact.terms import Contacts
 from turgor.core.engine.system import Evaluation, System
 from turgor.core.solvers.constraints.constraint import Constraint
@@ -139,7 +138,7 @@ def gentle_share(system: System, history: Sequence[Point], parameter: float) -> 
     here = system.contacts(last.unknowns, last.parameter)
     along = here.touch and last.change is not None
     ahead = _ahead(last, parameter) if along else unknowns_between(history, parameter)
-    return system.contact.shortening(here, system.contacts(ahead, parameter), PENALTY.deeper_in_step)
+    return system.contact.shortening(here, system.contacts(ahead, parameter))
 
 
 def _is_near(history: Sequence[Point], parameter: float) -> bool:

@@ -61,7 +61,7 @@ def test_a_step_far_beyond_the_touch_is_shortened_to_just_beyond_it(path: tuple[
     share = gentle_share(system, points, BEYOND)
     assert 0.05 < share < 0.6
     gently = last.parameter + share * (BEYOND - last.parameter)
-    there = [system.contacts(unknowns_between(points, load), load).touch for load in (gently - 0.25, gently)]
+    there = [system.contacts(unknowns_between(points, load), load).touch for load in (gently - 0.15, gently)]
     assert there == [False, True]
 
 
