@@ -7,6 +7,8 @@ import turgor as tg
 from refused import refused
 from turgor.core.engine.faces.surfaces import enclosed_volume
 from turgor.core.meshing.surface import check_surface, outer_triangles
+from turgor.core.meshing.sweeping.section import Fineness
+from turgor.core.meshing.sweeping.swept import swept_mesh
 from turgor.units import deg, kPa, mm
 
 OPEN = (
@@ -46,7 +48,7 @@ def test_open_chambers_bend_as_closed_ones_of_the_same_shape_and_rubber() -> Non
     def angle(**sizes: float) -> float:
         bender = SlowPneuNet(chambers=1, length=16 * mm, **sizes)
         model = tg.Model(
-            tg.mesh(bender.build(), size=4 * mm, cells="hexahedra"),
+            swept_mesh(bender.build(), Fineness(size=4 * mm, edge=4 / 3 * mm)),  # the same lines in both
             materials={"body": rubber, "base": rubber},
             supports=[tg.Fixed("fixed")],
             loads=[tg.Pressure("cavity", 2 * kPa)],
@@ -54,7 +56,7 @@ def test_open_chambers_bend_as_closed_ones_of_the_same_shape_and_rubber() -> Non
         return float(tg.measure(tg.solve(model), tg.bending_angle, mesh_error=False).column("bending_angle")[-1])
 
     whole = angle(floor=1.5 * mm, base=1.5 * mm)
-    assert whole > 0.15 * deg
+    assert whole > 0.2 * deg
     assert angle(floor=0.0, base=3 * mm) == pytest.approx(whole, rel=0.01)
 
 
