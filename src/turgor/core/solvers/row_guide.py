@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.algebra.linear import SingularTangentError
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.cells.element import Element, element_of
 from turgor.core.engine.runtime import MIXED, EngineOptions
@@ -159,9 +160,13 @@ def _walls_meet(system: System, tangent: Tangent) -> bool:
     """Whether walls touch long before the full load, by the stiffness at rest."""
     rest = system.evaluate(np.zeros(system.size), 0.0)
     assert rest is not None
-    tangent.factor(rest)
     share = ROW_GUIDE.meeting
-    return system.contacts(share * load_response(system, tangent, rest.unknowns), share).touch
+    try:
+        tangent.factor(rest)
+        change = load_response(system, tangent, rest.unknowns)
+    except SingularTangentError:  # the path of the whole row says what is wrong
+        return False
+    return system.contacts(share * change, share).touch
 
 
 @dataclass(frozen=True, slots=True, eq=False)
