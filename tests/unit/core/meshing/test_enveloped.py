@@ -13,14 +13,17 @@ from turgor.core.engine.chamber_volumes import cavity_volume
 from turgor.core.geometry.actuators.extending_cylinder import ExtendingCylinder
 from turgor.core.geometry.cad.read import read_cad, read_here
 from turgor.core.geometry.cad.surface.shape import SurfaceShape, surface_shape
+from turgor.core.geometry.geometry import Geometry
 from turgor.core.meshing.exchange.cavities import distances
 from turgor.core.meshing.exchange.formats.stl import Triangles
 from turgor.core.meshing.generate import _meshed_by_facets
 from turgor.core.meshing.quality.cell_quality import cell_volumes, quality
 from turgor.core.meshing.settings import MeshSettings
+from turgor.core.meshing.tetwild import tetrahedra
 from turgor.core.meshing.tetwild.background import background
+from turgor.core.meshing.tetwild.boundary import boundary_of
 from turgor.core.meshing.tetwild.nearest import sharp_edges
-from turgor.core.meshing.tetwild.snapping import on_mirrors
+from turgor.core.meshing.tetwild.snapping import on_mirrors, pressed_flat, volumes
 from turgor.units import mm
 
 ENDS = {"fixed": WithNormal("-x"), "tip": WithNormal("+x")}
@@ -120,3 +123,45 @@ def test_nodes_of_a_mirror_plane_lie_on_it():
     assert np.abs(out[:3, 1]).max() == 0
     assert out[:, [0, 2]] == pytest.approx(off[:, [0, 2]])
     assert out[3] == pytest.approx(off[3])
+
+
+#: A pyramid below a square, whose fourth corner fTetWild put 0.1 below the square: the first cell lies on the square.
+PYRAMID = np.array([[0.0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0], [2, 2, -3]])
+LOW = PYRAMID - [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0.1], [0, 0, 0]]
+FLAT_ON_TOP = np.array([[0, 1, 3, 2], [0, 1, 4, 3], [1, 2, 4, 3]])
+
+
+def test_a_cell_that_is_pressed_flat_onto_a_face_is_dropped(monkeypatch):
+    """Its corner went back into the envelope before, so that the end of a part was not flat."""
+    sides = np.array([[0, 1, 2], [0, 2, 3], [0, 4, 1], [1, 4, 2], [2, 4, 3], [3, 4, 0]])
+    shape = surface_shape(PYRAMID, sides)
+    volume = 16.0
+    cells = FLAT_ON_TOP.copy()
+    inverted = volumes(LOW, cells) < 0
+    cells[inverted] = cells[inverted][:, [0, 2, 1, 3]]
+    monkeypatch.setattr(tetrahedra, "_filled", lambda *_: (LOW, cells))
+    shape = shape.named(("outside",) * len(shape.faces))
+    part = Geometry(
+        name="pyramid",
+        regions=("body",),
+        faces=("outside",),
+        solid_volume=volume * mm**3,
+        smallest_wall=3 * mm,
+        cavity_volumes={},
+        shape=shape,
+    )
+    raw = tetrahedra.enveloped_cells(part, MeshSettings(size=4 * mm, cells="tetrahedra"))
+    assert len(raw.cells) == 2
+    assert raw.points[:4, 2] == pytest.approx(0, abs=1e-12)
+    assert volumes(raw.points, raw.cells[:, :4]).sum() / mm**3 == pytest.approx(volume)
+
+
+def test_a_flat_cell_stays_where_the_boundary_would_touch_itself():
+    cells = FLAT_ON_TOP
+    before, after = LOW, PYRAMID
+    sides = boundary_of(before, cells)
+    around = {node: frozenset({0}) for node in range(5)}
+    assert pressed_flat(before, after, cells, sides, around).tolist() == [0]
+    beyond = np.vstack([sides, [[1, 3, 4]]])  # the boundary has the edge between 1 and 3, below the flat cell
+    assert not len(pressed_flat(before, after, cells, beyond, around))
+    assert not len(pressed_flat(before, after, cells, sides, around | {3: frozenset({1})})), "not on one face"

@@ -53,6 +53,43 @@ def snapped(
     return out
 
 
+def pressed_flat(before: Array, after: Array, cells: Ints, sides: Ints, around: dict[int, frozenset[int]]) -> Ints:
+    """Return cells that the boundary can do without: their four corners come to lie on one face of the surface.
+
+    fTetWild leaves such a cell where a node next to a face is within its envelope, but not on it. Of two cells that
+    share a corner one is returned.
+
+    Parameters
+    ----------
+    before, after : (n, 3) arrays [CAD units]
+        Nodes where they are, and on the surface.
+    cells : (c, 4) int array
+    sides : (b, 3) int array
+        The boundary of the cells.
+    around : dict of int to frozenset
+        Faces at each boundary node.
+
+    Returns
+    -------
+    (k,) int array
+        Numbers of the cells. Without them, each edge of the boundary still belongs to two triangles.
+    """
+    spoiled = np.flatnonzero(volumes(after, cells) < TETWILD.least_volume * volumes(before, cells))
+    outer = {frozenset(side) for side in sides.tolist()}
+    edges = {frozenset(pair) for a, b, c in sides.tolist() for pair in ((a, b), (b, c), (c, a))}
+    flat: list[int] = []
+    taken: set[int] = set()
+    for number in spoiled.tolist():
+        corners = frozenset(cells[number].tolist())
+        if taken & corners or not frozenset.intersection(*(around.get(node, frozenset()) for node in corners)):
+            continue
+        inner = [corners - {node} for node in corners if corners - {node} not in outer]
+        if len(inner) == 1 or (len(inner) == 2 and inner[0] & inner[1] not in edges):
+            flat.append(number)
+            taken |= corners
+    return np.array(flat, dtype=np.int64)
+
+
 def unspoiled(before: Array, after: Array, cells: Ints) -> Array:
     """Send the corners of cells back that would lose most of their volume, and return the positions."""
     out, size = after.copy(), volumes(before, cells)

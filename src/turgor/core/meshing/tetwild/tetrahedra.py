@@ -23,7 +23,7 @@ from turgor.core.meshing.tetwild.boundary import boundary_of, faces_of
 from turgor.core.meshing.tetwild.mesh_cache import cached_cells
 from turgor.core.meshing.tetwild.nearest import NearestPlaces, sharp_edges
 from turgor.core.meshing.tetwild.settings import TETWILD
-from turgor.core.meshing.tetwild.snapping import faces_at, on_mirrors, snapped, unspoiled
+from turgor.core.meshing.tetwild.snapping import faces_at, on_mirrors, pressed_flat, snapped, unspoiled
 from turgor.foundation.errors import TurgorError
 from turgor.units import mm
 
@@ -57,9 +57,16 @@ def enveloped_cells(geometry: Geometry, settings: MeshSettings) -> Raw:
     envelope = min(TETWILD.envelope_per_size * size, TETWILD.envelope_per_wall * geometry.smallest_wall / scale)
     points, cells = _filled(shape, settings, size, envelope, geometry.name)
     surface, edges = NearestPlaces(shape, size / 2), sharp_edges(shape)
-    sides = boundary_of(points, cells)
-    face = faces_of(points, sides, surface)
-    points = unspoiled(points, snapped(points, faces_at(sides, face), surface, edges, envelope), cells)
+    while True:
+        sides = boundary_of(points, cells)
+        face = faces_of(points, sides, surface)
+        around = faces_at(sides, face)
+        drawn = snapped(points, around, surface, edges, envelope)
+        flat = pressed_flat(points, drawn, cells, sides, around)
+        if not len(flat):
+            break
+        points, cells = _used(points, np.delete(cells, flat, axis=0))
+    points = unspoiled(points, drawn, cells)
     points = on_mirrors(points, sides, face, shape)
     points, cells, middles = _quadratic(points, cells)
     on_edge = np.sort(sides[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
@@ -114,7 +121,12 @@ def _whole(points: Array, cells: Ints) -> tuple[Array, Ints]:
     links = coo_array((np.ones(4 * count), (np.repeat(np.arange(count), 4), cells.ravel())), shape=(count, len(points)))
     piece = connected_components((links.tocsr() @ links.tocsr().T), directed=False)[1]
     large = np.bincount(piece)[piece] >= TETWILD.crumb * count
-    nodes, places = np.unique(cells[large], return_inverse=True)
+    return _used(points, cells[large])
+
+
+def _used(points: Array, cells: Ints) -> tuple[Array, Ints]:
+    """Drop the points of no cell."""
+    nodes, places = np.unique(cells, return_inverse=True)
     return points[nodes], places.reshape(-1, 4).astype(np.int64)
 
 
