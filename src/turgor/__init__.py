@@ -45,9 +45,9 @@ if TYPE_CHECKING:
     from turgor.core.model.supports import Displacement as Displacement
     from turgor.core.model.supports import Fixed as Fixed
     from turgor.core.results.files.vtu import write_vtu as write_vtu
-    from turgor.core.results.measures.measures import bending_angle as bending_angle
-    from turgor.core.results.measures.measures import cavity_volume as cavity_volume
-    from turgor.core.results.measures.measures import tip_displacement as tip_displacement
+    from turgor.core.results.measures.standard_measures import bending_angle as bending_angle
+    from turgor.core.results.measures.standard_measures import cavity_volume as cavity_volume
+    from turgor.core.results.measures.standard_measures import tip_displacement as tip_displacement
     from turgor.core.solvers.dynamics.modes import natural_frequencies as natural_frequencies
     from turgor.core.solvers.load import load as load
     from turgor.core.solvers.procedures.arc_length import ArcLength as ArcLength

@@ -7,7 +7,7 @@ from time import perf_counter
 from typing import Protocol, Self
 
 from turgor.cli.exits import write_nowhere
-from turgor.core.results.measures.measures import bending_angle
+from turgor.core.results.measures.standard_measures import bending_angle
 from turgor.core.solvers.progress.progress import Course, clock, cut_back, describe, of_stage
 from turgor.core.solvers.solution import Iteration, State
 from turgor.foundation.errors import TurgorError

@@ -75,7 +75,8 @@ def standard_measures(faces: Collection[str] | None = None) -> tuple[str, ...]:
     >>> standard_measures()[0], standard_measures(["fixed"])[0]
     ('bending_angle', 'principal_stretch_p99')
     """
-    from turgor.core.results.measures.measures import STANDARD_MEASURES, fitting_measures  # here: it loads the engine
+    from turgor.core.results.measures.measures import fitting_measures  # here: it loads the engine
+    from turgor.core.results.measures.standard_measures import STANDARD_MEASURES
 
     return tuple(measure.name for measure in (STANDARD_MEASURES if faces is None else fitting_measures(faces)))
 

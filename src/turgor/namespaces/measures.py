@@ -49,17 +49,7 @@ if TYPE_CHECKING:
     from turgor.core.results.measures.grasping.grasp_measures import grasp_margin as grasp_margin
     from turgor.core.results.measures.markers import marker as marker
     from turgor.core.results.measures.measure import Measure as Measure
-    from turgor.core.results.measures.measures import bending_angle as bending_angle
-    from turgor.core.results.measures.measures import cavity_volume as cavity_volume
     from turgor.core.results.measures.measures import check_measures as check_measures
-    from turgor.core.results.measures.measures import reaction as reaction
-    from turgor.core.results.measures.measures import smallest_gap as smallest_gap
-    from turgor.core.results.measures.measures import tip_displacement as tip_displacement
-    from turgor.core.results.measures.measures import tip_displacement_x as tip_displacement_x
-    from turgor.core.results.measures.measures import tip_displacement_y as tip_displacement_y
-    from turgor.core.results.measures.measures import tip_displacement_z as tip_displacement_z
-    from turgor.core.results.measures.measures import twist_angle as twist_angle
-    from turgor.core.results.measures.measures import volume_of as volume_of
     from turgor.core.results.measures.point_measures import of_point as of_point
     from turgor.core.results.measures.shape.center_line import CenterLine as CenterLine
     from turgor.core.results.measures.shape.center_line import center_line as center_line
@@ -79,6 +69,16 @@ if TYPE_CHECKING:
     from turgor.core.results.measures.shape.shape_measures import helix_radius as helix_radius
     from turgor.core.results.measures.shape.workspaces import Workspace as Workspace
     from turgor.core.results.measures.shape.workspaces import workspace as workspace
+    from turgor.core.results.measures.standard_measures import bending_angle as bending_angle
+    from turgor.core.results.measures.standard_measures import cavity_volume as cavity_volume
+    from turgor.core.results.measures.standard_measures import reaction as reaction
+    from turgor.core.results.measures.standard_measures import smallest_gap as smallest_gap
+    from turgor.core.results.measures.standard_measures import tip_displacement as tip_displacement
+    from turgor.core.results.measures.standard_measures import tip_displacement_x as tip_displacement_x
+    from turgor.core.results.measures.standard_measures import tip_displacement_y as tip_displacement_y
+    from turgor.core.results.measures.standard_measures import tip_displacement_z as tip_displacement_z
+    from turgor.core.results.measures.standard_measures import twist_angle as twist_angle
+    from turgor.core.results.measures.standard_measures import volume_of as volume_of
     from turgor.core.results.measures.tearing_measures import break_share as break_share
     from turgor.core.results.measures.tearing_measures import cracking_energy_p99 as cracking_energy_p99
     from turgor.core.results.measures.tearing_measures import log_cycles_to_tear as log_cycles_to_tear

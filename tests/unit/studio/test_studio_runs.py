@@ -10,7 +10,8 @@ from served import Studio, needs_browser, open_page, served, server
 from talking import Talk, workspace
 
 from refused import refused
-from turgor.core.results.measures.measures import bending_angle, measure
+from turgor.core.results.measures.measures import measure
+from turgor.core.results.measures.standard_measures import bending_angle
 from turgor.foundation.response import COLUMN_UNITS
 from turgor.studio.children.children import Child, Children
 from turgor.studio.children.run_folders import listed, status_of

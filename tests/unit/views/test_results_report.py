@@ -15,7 +15,8 @@ from turgor.core.model.loads import BodyForce, Gravity, Pressure, Traction
 from turgor.core.model.model import Model
 from turgor.core.model.sheets import Membrane
 from turgor.core.model.supports import Displacement, Fixed
-from turgor.core.results.measures.measures import bending_angle, find_measure, measure
+from turgor.core.results.measures.measures import find_measure, measure
+from turgor.core.results.measures.standard_measures import bending_angle
 from turgor.core.solvers.solution import Status
 from turgor.foundation.finding import Finding, Severity
 from turgor.foundation.response import Column, Response

@@ -15,7 +15,7 @@ import exact
 import meshes
 import problems
 import turgor as tg
-from turgor.core.results.measures.measures import cavity_volume
+from turgor.core.results.measures.standard_measures import cavity_volume
 from turgor.job.convergence import convergence
 
 INNER, OUTER = 5 * problems.MM, 7 * problems.MM

@@ -10,7 +10,8 @@ from turgor.core.materials.material import Material
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.quality.cell_quality import quality
 from turgor.core.model.model import Model
-from turgor.core.results.measures.measures import bending_angle, measure, tip_displacement
+from turgor.core.results.measures.measures import measure
+from turgor.core.results.measures.standard_measures import bending_angle, tip_displacement
 from turgor.core.solvers.solution import Solution, State
 from turgor.foundation.display import counted
 from turgor.foundation.finding import Severity

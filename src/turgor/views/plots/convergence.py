@@ -33,7 +33,7 @@ def plot_convergence(axes: Axes, study: Convergence) -> Axes:
     --------
     >>> import numpy as np
     >>> from matplotlib.figure import Figure
-    >>> from turgor.core.results.measures.measures import bending_angle
+    >>> from turgor.core.results.measures.standard_measures import bending_angle
     >>> cells, sizes = np.array([1000, 8000, 64000]), np.array([4e-3, 2e-3, 1e-3])
     >>> study = Convergence(measure=bending_angle, sizes=sizes, cells=cells, unknowns=20 * cells, values=1 - sizes**2)
     >>> plot_convergence(Figure().add_subplot(), study).get_xlabel()

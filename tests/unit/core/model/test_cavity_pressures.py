@@ -25,7 +25,8 @@ from turgor.core.model.loads import Channel, Gravity, Load, Pressure
 from turgor.core.model.model import Model
 from turgor.core.model.supports import Fixed
 from turgor.core.results.files.vtu import write_series
-from turgor.core.results.measures.measures import cavity_volume, find_measure, measure
+from turgor.core.results.measures.measures import find_measure, measure
+from turgor.core.results.measures.standard_measures import cavity_volume
 from turgor.core.solvers.checks.contact import meeting_walls
 from turgor.core.solvers.checks.materials import laws_beyond_their_tests
 from turgor.core.solvers.checks.supports import unloaded_cavities

@@ -20,7 +20,8 @@ from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.files.response_csv import read_response
 from turgor.core.results.measures import contact_measures as of
 from turgor.core.results.measures.grasping.grasp_measures import contact_force
-from turgor.core.results.measures.measures import STANDARD_MEASURES, check_measures, find_measure, measure
+from turgor.core.results.measures.measures import check_measures, find_measure, measure
+from turgor.core.results.measures.standard_measures import STANDARD_MEASURES
 from turgor.core.setups.blocked_tip import FixedTip, blocked_force
 from turgor.core.setups.setup_values import BlockedForce, Grasp, Setup
 from turgor.core.setups.with_setup import with_setup

@@ -12,7 +12,8 @@ from PIL import Image
 
 import turgor as tg
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
-from turgor.core.results.measures.measures import bending_angle, measure, tip_displacement
+from turgor.core.results.measures.measures import measure
+from turgor.core.results.measures.standard_measures import bending_angle, tip_displacement
 from turgor.foundation.response import Column, Response
 from turgor.units import mm
 from turgor.views.viewer.between import weights_at

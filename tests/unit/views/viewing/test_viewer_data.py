@@ -14,7 +14,8 @@ from turgor.core.model.contact import Contact
 from turgor.core.model.fibers import Fibers, Winding
 from turgor.core.model.obstacles import Obstacle, Sphere
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
-from turgor.core.results.measures.measures import bending_angle, measure
+from turgor.core.results.measures.measures import measure
+from turgor.core.results.measures.standard_measures import bending_angle
 from turgor.core.solvers.solution import Touch
 from turgor.units import kPa, mm
 from turgor.views.pictures.skin import drawn_triangles

@@ -55,7 +55,7 @@ class Convergence:
 
     Examples
     --------
-    >>> from turgor.core.results.measures.measures import bending_angle
+    >>> from turgor.core.results.measures.standard_measures import bending_angle
     >>> cells = np.array([1000, 8000, 64000])
     >>> angles = np.array([0.9, 0.98, 0.996])
     >>> study = Convergence(

@@ -7,22 +7,15 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.engine.algebra.boundary import radial_normals
-from turgor.core.engine.algebra.node_frames import across_fixed
 from turgor.core.engine.cells.element import element_of
-from turgor.core.engine.faces import surfaces
-from turgor.core.engine.points.foundation_term import foundation_force
 from turgor.core.geometry.names import measured_faces
-from turgor.core.meshing.bodies.named import named_bodies
 from turgor.core.meshing.mesh import Mesh
-from turgor.core.meshing.quality.proximity import smallest_gap as smallest_gap_between
 from turgor.core.model.drive import common_pressure, pressures_at
 from turgor.core.model.model import Model
 from turgor.core.results.drive import stage_column
 from turgor.core.results.fields.path_fields import PathFields
 from turgor.core.results.fields.state_fields import MeshFacts, StateFields
 from turgor.core.results.measures.bond_measures import bond_measure, openings_of
-from turgor.core.results.measures.cavities import enclosed_volume
 from turgor.core.results.measures.contact_measures import (
     area_on,
     contact_measures_of,
@@ -35,16 +28,18 @@ from turgor.core.results.measures.field_measures import (
     as_column,
     in_each_region,
     in_region,
-    maximum_principal_stretch,
-    maximum_von_mises,
-    principal_stretch_p99,
-    von_mises_p99,
 )
 from turgor.core.results.measures.grasping.grasp_measures import grasp_measure, grasp_measures_of
 from turgor.core.results.measures.measure import Measure as Measure
 from turgor.core.results.measures.measure import measures_of
-from turgor.core.results.measures.point_measures import fixed_points_force, point_measure, point_measures_of
-from turgor.core.results.measures.rotations import face_rotation, twist
+from turgor.core.results.measures.point_measures import point_measure, point_measures_of
+from turgor.core.results.measures.standard_measures import (
+    STANDARD_MEASURES,
+    bending_angle,
+    cavity_volume,
+    heading,
+    volume_of,
+)
 from turgor.core.solvers.pressures import pressures_of, stated_by_loads
 from turgor.core.solvers.solution import Solution, State
 from turgor.foundation.errors import TurgorError, unknown
@@ -157,7 +152,7 @@ def _with_value(standard: Sequence[Measure], at: StateFields) -> tuple[Measure, 
     """The standard measures without the bending angle, where the part does not lie in the plane of bending."""
     try:
         for face in bending_angle.faces if bending_angle in standard else ():
-            _heading(at, face, at.mesh.points)
+            heading(at, face, at.mesh.points)
     except TurgorError:
         return tuple(each for each in standard if each is not bending_angle)
     return tuple(standard)
@@ -248,20 +243,6 @@ def _of_cavity(name: str) -> Measure | None:
     return volume_of(name.removesuffix("_volume")) if is_one else None
 
 
-def volume_of(cavity: str) -> Measure:
-    """Make the measure of the volume of one cavity, by the name of its face.
-
-    Examples
-    --------
-    >>> volume_of("cavity_1").name
-    'cavity_1_volume'
-    """
-    return Measure(
-        name=f"{as_column(cavity)}_volume", unit="mL", function=lambda at: enclosed_volume(at, [cavity]),
-        definition=f"current volume enclosed by the face {cavity}, whole actuator",
-    )  # fmt: skip
-
-
 def _with_parts(chosen: Sequence[Measure], mesh: Mesh) -> tuple[Measure, ...]:
     """Add the volume of each cavity to that of all, and stress and stretch of each region, where there are several."""
     out, given = [], {each.name for each in chosen}
@@ -300,115 +281,6 @@ def _source(solution: Solution) -> Source:
     mesh = solution.model.mesh
     return Source(text="finite elements", detail=f"{mesh.name}, {len(mesh.cells)} cells, {len(mesh.points)} nodes")
 
-
-def _heading(at: StateFields, face: str, points: Array) -> float:
-    """Direction of a face's vector area in the x-z plane [rad], counted from +x towards −z."""
-    area = at.facts.of_whole(surfaces.vector_area(points, at.mesh.face(face)))
-    if not np.hypot(area[0], area[2]) > 1e-6 * surfaces.area(at.mesh.points, at.mesh.face(face)):
-        raise TurgorError(
-            f"face '{face}' has no normal in the x-z plane, the plane of bending; turn the part so that it lies along "
-            "x, with the axes of its file, or list other measures (measures under [output])."
-        )
-    return float(np.arctan2(-area[2], area[0]))
-
-
-def _bending_angle(at: StateFields) -> float:
-    turned = [_heading(at, face, at.points) - _heading(at, face, at.mesh.points) for face in ("tip", "fixed")]
-    angle = turned[0] - turned[1]
-    return float(np.arctan2(np.sin(angle), np.cos(angle)))
-
-
-def _tip_vector(at: StateFields) -> Array:
-    """Mean displacement of the face ``tip`` of the whole actuator, weighted by reference area, (3,) [m]."""
-    weights = surfaces.nodal_weights(at.mesh.points, at.mesh.face("tip"))
-    return at.facts.of_whole(weights @ at.displacement / weights.sum())
-
-
-def _twist_angle(at: StateFields) -> float:
-    if at.mesh.symmetry_faces:
-        return 0.0  # the mirror image turns the other way
-    return twist(face_rotation(at, "fixed").T @ face_rotation(at, "tip"))
-
-
-def _cavity_volume(at: StateFields) -> float:
-    if not at.mesh.cavities:
-        raise unknown("face", "cavity", at.mesh.faces)
-    return enclosed_volume(at, at.mesh.cavities)
-
-
-def _reaction(at: StateFields) -> float:
-    return float(np.linalg.norm(support_force(at)))
-
-
-def support_force(at: StateFields) -> Array:
-    """Return the force of the supports Fixed, Radial, Roller and Foundation on the whole actuator, (3,) [N].
-
-    Parameters
-    ----------
-    at : StateFields
-    """
-    fixed = np.zeros(at.mesh.points.shape, dtype=bool)
-    for support in at.model.supports:
-        directions = support.prescribed[1]
-        if directions and not support.moves and support.place not in at.model.points:
-            nodes = support.nodes(at.mesh)
-            for direction in directions:
-                fixed[nodes, "xyz".index(direction)] = True
-    nodes, across = across_fixed(*radial_normals(at.model, moved=False), fixed)
-    supported = fixed.any() or len(nodes) or any(any(support.bedding) for support in at.model.supports)
-    if not supported and not at.model.points and not named_bodies(at.mesh):  # which may be loose
-        raise TurgorError("the model has no support Fixed, Radial, Roller or Foundation whose force could be summed.")
-    force = np.where(fixed, at.state.nodal_force, 0.0)
-    np.add.at(force, nodes, np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across)
-    total = force.sum(axis=0) + foundation_force(at.model, at.displacement)
-    return np.asarray(at.facts.of_whole(at.mesh.symmetry_factor * total) + fixed_points_force(at))
-
-
-bending_angle = Measure(
-    name="bending_angle", unit="deg", function=_bending_angle, unwrap=True, faces=("fixed", "tip"),
-    definition="rotation of the face tip (its vector area) against the face fixed in the x-z plane, "
-    "positive towards the base",
-)  # fmt: skip
-tip_displacement = Measure(
-    name="tip_displacement", unit="mm", function=lambda at: float(np.linalg.norm(_tip_vector(at))), faces=("tip",),
-    definition="magnitude of the mean displacement of the face tip",
-)  # fmt: skip
-tip_displacement_x = Measure(
-    name="tip_displacement_x", unit="mm", function=lambda at: float(_tip_vector(at)[0]),
-    definition="mean displacement of the face tip along x",
-)  # fmt: skip
-tip_displacement_y = Measure(
-    name="tip_displacement_y", unit="mm", function=lambda at: float(_tip_vector(at)[1]),
-    definition="mean displacement of the face tip along y",
-)  # fmt: skip
-tip_displacement_z = Measure(
-    name="tip_displacement_z", unit="mm", function=lambda at: float(_tip_vector(at)[2]),
-    definition="mean displacement of the face tip along z",
-)  # fmt: skip
-twist_angle = Measure(
-    name="twist_angle", unit="deg", function=_twist_angle, unwrap=True,
-    definition="rotation of the face tip against the face fixed about its own normal, positive counterclockwise "
-    "seen from the tip; zero where a mirror plane forbids it",
-)  # fmt: skip
-cavity_volume = Measure(
-    name="cavity_volume", unit="mL", function=_cavity_volume, faces=("cavity",),
-    definition="current volume enclosed by the faces cavity*, whole actuator",
-)  # fmt: skip
-reaction = Measure(
-    name="reaction", unit="N", function=_reaction,
-    definition="magnitude of the sum of all forces at the supports Fixed, Radial and Roller, whole actuator; zero "
-    "where only the pressure of a closed cavity acts, since that pushes on itself",
-)  # fmt: skip
-smallest_gap = Measure(
-    name="smallest_gap", unit="mm",
-    function=lambda at: float(smallest_gap_between(at.facts.walls, at.displacement)),
-    definition="smallest distance between outer walls that face each other; negative once they have passed through",
-)  # fmt: skip
-#: What a run writes unless other measures are requested.
-STANDARD_MEASURES: tuple[Measure, ...] = (
-    bending_angle, tip_displacement, cavity_volume, principal_stretch_p99, maximum_principal_stretch, von_mises_p99,
-    maximum_von_mises, reaction,
-)  # fmt: skip
 
 #: Measures by the words that others use for them.
 MEANT: Mapping[str, str] = MappingProxyType(

@@ -208,7 +208,8 @@ class NodeReader:
 
 def _solved(path: Path) -> VolumeCurve:
     """Solve the actuator of a job, and read its curve."""
-    from turgor.core.results.measures.measures import cavity_volume, find_measure, measure  # here: it loads the engine
+    from turgor.core.results.measures.measures import find_measure, measure  # here: it loads the engine
+    from turgor.core.results.measures.standard_measures import cavity_volume
     from turgor.core.solvers.solve import solve
     from turgor.job.prepare import prepare
     from turgor.job.read import read_job

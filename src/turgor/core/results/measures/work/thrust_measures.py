@@ -10,7 +10,7 @@ from turgor.core.model.history import History, share_at
 from turgor.core.model.model import Model
 from turgor.core.results.fields.state_fields import StateFields
 from turgor.core.results.measures.measure import Measure
-from turgor.core.results.measures.measures import support_force
+from turgor.core.results.measures.standard_measures import support_force
 from turgor.core.results.measures.work.settings import CYCLES
 from turgor.foundation.errors import TurgorError
 
