@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from refused import refused
 from turgor.core.results.convergence.study import Convergence
 from turgor.core.results.files.response_csv import read_response
-from turgor.core.results.measures.measures import maximum_principal_stretch
+from turgor.core.results.measures.field_measures import maximum_principal_stretch
 from turgor.core.results.measures.standard_measures import cavity_volume
 from turgor.units import mL, mm
 from turgor.views.plots.convergence import plot_convergence, write_convergence_plot

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 import results_cases as cases
 
-from turgor.core.results.measures import measures
+from turgor.core.results.fields.state_fields import StateFields
+from turgor.core.results.measures import standard_measures as standard
 from turgor.core.results.measures.measures import measure
 from turgor.core.results.measures.rotations import face_rotation
 from turgor.units import deg
@@ -27,7 +28,7 @@ def twisted(angle):
 def test_twist_before_bending_is_found_again(twist, bend):
     twisting, bending = twisted(twist * deg), cases.bent(bend * deg)
     state = cases.state(cases.model(cases.body()), lambda X: bending(twisting(X)))
-    assert measures.twist_angle(state) / deg == pytest.approx(twist, abs=0.05)
+    assert standard.twist_angle(state) / deg == pytest.approx(twist, abs=0.05)
 
 
 def test_twist_ignores_a_turn_of_the_whole_actuator():
@@ -35,22 +36,22 @@ def test_twist_ignores_a_turn_of_the_whole_actuator():
     turn = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
     twisting = twisted(20 * deg)
     state = cases.state(cases.model(cases.body()), lambda X: twisting(X) @ turn.T)
-    assert measures.twist_angle(state) / deg == pytest.approx(20, abs=1e-6)
-    assert face_rotation(measures.StateFields(state), "fixed") == pytest.approx(turn)
+    assert standard.twist_angle(state) / deg == pytest.approx(20, abs=1e-6)
+    assert face_rotation(StateFields(state), "fixed") == pytest.approx(turn)
 
 
 def test_twist_continues_past_half_a_turn():
     model = cases.model(cases.body())
     path = [cases.state(model, twisted(a * deg), a / 400) for a in (0, 100, 200, 300, 400)]
-    response = measure(cases.solution(path), measures.twist_angle)
+    response = measure(cases.solution(path), standard.twist_angle)
     assert response.column("twist_angle") / deg == pytest.approx([0, 100, 200, 300, 400], abs=0.01)
 
 
 def test_a_half_cannot_twist():
     state = cases.state(cases.model(cases.body(half=True)), lambda X: X + 0.1 * X[:, [2, 0, 1]])
-    assert measures.twist_angle(state) == 0.0
+    assert standard.twist_angle(state) == 0.0
 
 
 def test_displacement_across():
     state = cases.state(cases.model(cases.body()), lambda X: X + np.outer(X[:, 0], [0.0, 0.1, 0.0]))
-    assert measures.tip_displacement_y(state) == pytest.approx(0.1 * cases.LENGTH)
+    assert standard.tip_displacement_y(state) == pytest.approx(0.1 * cases.LENGTH)
