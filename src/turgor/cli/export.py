@@ -32,7 +32,8 @@ class ExportOptions:
     stl: Annotated[bool, typer.Option("--stl", help="The whole body and each cavity as STL.")] = False
     mold: Annotated[bool, typer.Option("--mold", help="A casting mold as STEP and STL, and how it opens.")] = False
     draft: Annotated[
-        str, typer.Option(help="Draft to which a mold tapers walls along its pull, up to 10 deg; 0 deg leaves the part.")
+        str,
+        typer.Option(help="Draft to which a mold tapers walls along its pull, up to 10 deg; 0 deg leaves the part."),
     ] = "0 deg"
     to: Annotated[
         list[str] | None,

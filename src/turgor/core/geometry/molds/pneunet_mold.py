@@ -73,13 +73,13 @@ def pneunet_mold(actuator: FastPneuNet | SlowPneuNet, mold: MoldSettings) -> Mol
     if not mold.draft:
         return Mold(parts=_parts(built, sizes, mold, drawn), notes=(*NOTES, UPRIGHT))
     height = sizes.floor_top / METERS_PER_CAD_UNIT
-    whole = Cast(filled=filled_part(union(list(built.shape.solids)), [cavity]), fillings=[cavity])
+    as_drawn = Cast(filled=filled_part(union(list(built.shape.solids)), [cavity]), fillings=[cavity])
     pull = Pull(axis=2, side=1, height=height, draft=mold.draft)
-    cast = with_drafts(whole, pull, [pull])
+    cast = with_drafts(as_drawn, pull, [pull])
     above = _envelope(sizes, sizes.floor_top, sizes.height)
     tapered = _Cast(cast.filled * above, cast.fillings[0], cast.filled - above)
     made = Mold(parts=_parts(built, sizes, mold, tapered), notes=NOTES)
-    return with_casting(made, built, whole, cast, mold)
+    return with_casting(made, built, as_drawn, cast, mold)
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,6 +25,9 @@ from turgor.units import deg
 
 Array = NDArray[np.float64]
 
+#: What is said of a wall that has no draft, because it may not.
+STEPPED = "The wall around the opening stays upright: the step of the lower half that carries the core slides along it."
+
 #: Relative change of a volume that is round-off.
 UNCHANGED = 1e-9
 
@@ -56,7 +59,8 @@ def two_halves(geometry: Geometry, settings: MoldSettings) -> Mold:
             f"draft is {settings.draft / deg:.4g} deg, and this part has no wall that can be tapered, a plane one or a "
             "round one about the pull. Leave draft at 0 deg, or draw it in the CAD part."
         )
-    mold = Mold(parts=parts, notes=(*_opening(plan), *lines))
+    stepped = [STEPPED] if settings.draft and _stepped(plan) else []
+    mold = Mold(parts=parts, notes=(*_opening(plan), *lines, *stepped))
     return with_casting(mold, geometry, plan.cast, cast, settings) if settings.draft else mold
 
 
@@ -162,8 +166,13 @@ def _drafted(plan: _Plan, draft: float) -> Cast:
         else Pull(axis=each.axis, side=-each.side, height=float(each.foot[each.axis]), draft=draft)
         for each in plugs
     ]
-    upright = [each.foot for each in plugs if each.steps(parting.axis, parting.height)]
-    return with_drafts(plan.cast, pull, cores, upright)
+    return with_drafts(plan.cast, pull, cores, _stepped(plan))
+
+
+def _stepped(plan: _Plan) -> list[Array]:
+    """Openings whose cores lie in a step of the lower half."""
+    parting = plan.parting
+    return [each.foot for each in plan.plugs.values() if each.steps(parting.axis, parting.height)]
 
 
 def _stacked(axis: int, plugs: list[Plug]) -> bool:
@@ -191,7 +200,7 @@ def _opening(plan: _Plan) -> list[str]:
     """How the mold opens."""
     parting, plugs = plan.parting, plan.plugs.values()
     axis = "xyz"[parting.axis]
-    lines = [f"The halves part at {axis} = {parting.height:.4g} mm and are pulled along {axis}."]
+    lines = [f"The halves part at {axis} = {parting.height + 0.0:.4g} mm and are pulled along {axis}."]
     for i, plug in enumerate(plugs, start=1):
         name = "The core" if len(plugs) == 1 else f"Core {i}"
         way = f"{'-' if plug.side < 0 else '+'}{'xyz'[plug.axis]}"
