@@ -215,7 +215,7 @@ def _opening(plan: _Plan) -> list[str]:
 
 
 def _walls(cast: Cast, plan: _Plan, settings: MoldSettings) -> list[str]:
-    """What of the casting is held back, and which walls have less draft than requested."""
+    """Undercuts that hold the casting back, and which walls have less draft than requested."""
     outside, draft, parting = round_facets(cast.filled), settings.listed_draft, plan.parting
     area, slope = outside.areas, slopes(outside, parting.axis)
     steep, cap = area[slope < draft - ANGLE].sum() / area.sum(), area[slope > np.pi / 2 - draft].sum()

@@ -124,7 +124,7 @@ def test_walls_of_a_cup_stay_as_thick_and_its_mold_opens():
         others = [body] if name == "core" else [body, shapes["core"]] if name == "lower" else [body]
         moved = shapes[name].Move((way, 0, 0))
         assert all(sum(solid.mass for solid in (moved * each).solids) < 1e-6 for each in others), name
-    # with draft a wall lets go at once: after the first 0.01 mm there is air beside it
+    # with draft a wall lets go at once: after the first 0.01 mm there is air between
     lower = shapes["lower"].Move((-0.01, 0, 0))
     inner = [v for v in body.vertices if v.p[0] < 9]
     away = min(lower.Distance(v) for v in inner if max(abs(v.p[1]), abs(v.p[2])) > 8.5)

@@ -155,8 +155,9 @@ def _known(face: Any, corners: Array, pull: Pull, near: float) -> KnownFace:
     return _round(face, corners, normals, pull, near)
 
 
-def _vector(found: Any) -> Array:
-    return np.array([found.x, found.y, found.z]) if hasattr(found, "x") else np.array([found[i] for i in range(3)])
+def _vector(point: Any) -> Array:
+    """Coordinates of a point or a direction of the CAD kernel."""
+    return np.array([point.x, point.y, point.z]) if hasattr(point, "x") else np.array([point[i] for i in range(3)])
 
 
 def _round(face: Any, corners: Array, normals: Array, pull: Pull, near: float) -> RoundFace | None:
