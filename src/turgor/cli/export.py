@@ -12,6 +12,7 @@ from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
     from turgor.cli.exits import Answer
+    from turgor.foundation.finding import Finding
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,7 +31,10 @@ class ExportOptions:
     step: Annotated[bool, typer.Option("--step", help="The geometry as STEP.")] = False
     stl: Annotated[bool, typer.Option("--stl", help="The whole body and each cavity as STL.")] = False
     mold: Annotated[bool, typer.Option("--mold", help="A casting mold as STEP and STL, and how it opens.")] = False
-    draft: Annotated[str, typer.Option(help="Draft of a mold's walls: faces that have less are listed.")] = "1 deg"
+    draft: Annotated[
+        str,
+        typer.Option(help="Draft to which a mold tapers walls along its pull, up to 10 deg; 0 deg leaves the part."),
+    ] = "0 deg"
     to: Annotated[
         list[str] | None,
         typer.Option(
@@ -71,9 +75,10 @@ def export_files(chosen: ExportOptions) -> None:
             )
         from turgor.cli.answers.results import ExportResult
 
-        job_files, notes = _files_of_job(chosen, kinds)
+        job_files, notes, findings = _files_of_job(chosen, kinds)
         files = (*job_files, *_motions(chosen))
         answer.give(lambda: ExportResult(files=files, notes=notes))
+        answer.warn(findings)
         for note in notes:
             typer.echo(note)
         for file in files:
@@ -84,21 +89,23 @@ def _size(file: Path) -> str:
     return f" ({file.stat().st_size:,} bytes)" if file.is_file() else ""
 
 
-def _files_of_job(chosen: ExportOptions, kinds: list[str]) -> tuple[tuple[Path, ...], tuple[str, ...]]:
-    """Write what comes from the job itself; return the files, and what differs in the model."""
+def _files_of_job(
+    chosen: ExportOptions, kinds: list[str]
+) -> "tuple[tuple[Path, ...], tuple[str, ...], tuple[Finding, ...]]":
+    """Write what comes from the job itself; return the files, what differs in the model, and findings of the mold."""
     from turgor.core.geometry.molds.mold import MoldSettings
     from turgor.core.inp.account import by_verdict
     from turgor.job.export import InpOptions, export_job
     from turgor.units import parse_quantity
 
     if not kinds:
-        return (), ()
+        return (), (), ()
     question = requested_job(chosen.job, chosen.changes)
     folder = chosen.output if chosen.output is not None else Path(f"{question.name}-export")
     options = InpOptions(program=chosen.program, poisson=chosen.poisson)
     mold = MoldSettings(draft=parse_quantity(chosen.draft, "angle"))
     done = export_job(question, folder, kinds, inp=options, mold=mold, force=chosen.force)
-    return done.files, tuple(map(str, by_verdict(done.notes)))
+    return done.files, tuple(map(str, by_verdict(done.notes))), done.findings
 
 
 def _reduced(chosen: ExportOptions, answer: "Answer") -> None:

@@ -16,6 +16,7 @@ from turgor.core.meshing.exchange.mesh_file import MeshedShape
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.setups.with_setup import with_setup
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.foundation.finding import Finding
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
 from turgor.job.output.exported_keys import key_notes
@@ -54,10 +55,13 @@ class Exported:
     files : tuple of Path
     notes : tuple of InpNote
         What became of each part of the job in the .inp file.
+    findings : tuple of Finding
+        Of the mold: D09 where its draft leaves a thin wall.
     """
 
     files: tuple[Path, ...]
     notes: tuple[InpNote, ...] = ()
+    findings: tuple[Finding, ...] = ()
 
 
 def export_job(
@@ -79,8 +83,8 @@ def export_job(
         Output folder; created if it does not exist.
     kinds : collection of str
         ``"inp"``: the model for CalculiX or Abaqus. ``"step"``: the geometry. ``"stl"``: the whole body and each of
-        its cavities, cut from the mesh of the job. ``"mold"``: the parts of a casting mold, STEP and STL, and how it
-        opens, as text.
+        its cavities, cut from the mesh of the job. ``"mold"``: the parts of a casting mold, STEP and STL, how it opens,
+        as text, and with a draft the part that is cast, as STEP.
     inp : InpOptions, optional
         Options of the .inp file.
     mold : MoldSettings, optional
@@ -123,7 +127,8 @@ def export_job(
             write_stl(mesh, place / f"{job.name}-{cavity}.stl", face=cavity)
     if parts is not None:
         _write_mold(parts, place, f"{job.name}-mold")
-    return Exported(files=tuple(place / name for name in names), notes=notes)
+    findings = parts.findings if parts is not None else ()
+    return Exported(files=tuple(place / name for name in names), notes=notes, findings=findings)
 
 
 def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[str], mold: Mold | None) -> list[str]:
@@ -137,6 +142,7 @@ def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[st
         names += [f"{job.name}.stl", *(f"{job.name}-{cavity}.stl" for cavity in mesh.cavities)]
     if mold is not None:
         names += [f"{job.name}-mold-{part}.{ending}" for part in mold.parts for ending in ("step", "stl")]
+        names += [f"{job.name}-mold-casting.step"] if mold.casting is not None else []
         names += [f"{job.name}-mold.txt"]
     return names
 
@@ -160,4 +166,6 @@ def _write_mold(mold: Mold, folder: Path, name: str) -> None:
     for each, part in mold.parts.items():
         write_step(part, folder / f"{name}-{each}.step")
         write_stl(part, folder / f"{name}-{each}.stl")
+    if mold.casting is not None:
+        write_step(mold.casting, folder / f"{name}-casting.step")
     (folder / f"{name}.txt").write_text("\n".join(mold.notes) + "\n", encoding="utf-8")

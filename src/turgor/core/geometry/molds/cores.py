@@ -17,6 +17,9 @@ Array = NDArray[np.float64]
 #: Cosine of the angle by which an opening may be off an axis.
 STRAIGHT = 0.9999
 
+#: A core leaves in the parting plane if the middle of its opening is this close to it [CAD units].
+LEVEL = 1e-6
+
 #: Facets of a cavity hold the core back if they look against its pull by more than this sine.
 SLOPE = 1e-3
 
@@ -41,6 +44,18 @@ class Plug:
     axis: int
     side: int
     trapped: float
+
+    @property
+    def foot(self) -> Array:
+        """Middle of the opening."""
+        low, high = (np.array([corner[i] for i in range(3)]) for corner in self.shape.bounding_box)
+        middle = (low + high) / 2
+        middle[self.axis] = (low if self.side > 0 else high)[self.axis]
+        return np.asarray(middle)
+
+    def steps(self, axis: int, height: float) -> bool:
+        """Whether a step of the lower half carries it: it leaves across the pull, and not in the parting plane."""
+        return axis != self.axis and abs(float(self.foot[axis]) - height) > LEVEL
 
 
 def plug_of(name: str, hollow: Hollow, facets: Facets, faces: list[Any], length: float) -> Plug:

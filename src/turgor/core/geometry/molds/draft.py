@@ -6,13 +6,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.core.geometry.molds.parting import areas
+from turgor.core.geometry.cad.facets import RoundFacets
 from turgor.units import deg
 
 Array = NDArray[np.float64]
 
 #: Share of a face that has to lack draft, for the face to be listed: the tessellation of a round face leaves less.
 LEAST_SHARE = 0.005
+
+#: Round-off of an angle [rad]: normals have seven digits.
+ANGLE = 1e-6
 
 #: Most faces in a text.
 MOST_FACES = 12
@@ -52,15 +55,20 @@ class DraftlessFace:
         )
 
 
-def draftless(corners: Array, face: NDArray[np.int64], axis: int, draft: float, puller: str) -> list[DraftlessFace]:
+def slopes(surface: RoundFacets, axis: int) -> Array:
+    """Return the angle between each facet of a surface and an axis, from the true normals at its corners [rad]."""
+    normal = surface.normals.mean(axis=1)
+    normal /= np.linalg.norm(normal, axis=1)[:, None]
+    return np.asarray(np.arcsin(np.clip(np.abs(normal[:, axis]), 0.0, 1.0)))
+
+
+def draftless(surface: RoundFacets, axis: int, draft: float, puller: str) -> list[DraftlessFace]:
     """Return the faces with less draft than requested, the largest first.
 
     Parameters
     ----------
-    corners : (t, 3, 3) float array [CAD units]
-        Facets of the casting.
-    face : (t,) int array
-        Number of the CAD face of each.
+    surface : RoundFacets
+        Surface of the casting that is pulled.
     axis : int
         Axis of the pull.
     draft : float [rad]
@@ -74,15 +82,16 @@ def draftless(corners: Array, face: NDArray[np.int64], axis: int, draft: float, 
 
     Examples
     --------
-    >>> wall = np.array([[[0, 0, 0], [1, 0, 0], [0, 0, 1]]], dtype=float)
-    >>> [each.area for each in draftless(wall, np.array([0]), 2, 1 * deg, "halves")]
+    >>> corners = np.array([[[0, 0, 0], [1, 0, 0], [0, 0, 1]]], dtype=float)
+    >>> normals = np.array([[[0, 1, 0]] * 3], dtype=float)
+    >>> wall = RoundFacets(corners=corners, normals=normals, face=np.array([0]), faces=[])
+    >>> [each.area for each in draftless(wall, 2, 1 * deg, "halves")]
     [0.5]
-    >>> draftless(wall, np.array([0]), 1, 1 * deg, "halves")
+    >>> draftless(wall, 1, 1 * deg, "halves")
     []
     """
-    area, normal = areas(corners)
-    slope = np.arcsin(np.clip(np.abs(normal[:, axis]), 0.0, 1.0))
-    steep, middle = slope < draft - 1e-9, corners.mean(axis=1)
+    area, slope, face = surface.areas, slopes(surface, axis), surface.face
+    steep, middle = slope < draft - ANGLE, surface.corners.mean(axis=1)
     faces = []
     for number in np.unique(face[steep]):
         rows = steep & (face == number)

@@ -64,6 +64,29 @@ def areas(corners: Array) -> tuple[Array, Array]:
     return length / 2, double / np.where(length > 0, length, 1.0)[:, None]
 
 
+def undercut_of(corners: Array, axis: int, height: float) -> float:
+    """Return the area of facets that look away from the pull of their half [CAD units²].
+
+    Parameters
+    ----------
+    corners : (t, 3, 3) float array [CAD units]
+        Facets of the outside of the casting, with normals that point out.
+    axis : int
+        Axis of the pull.
+    height : float [CAD units]
+        Place of the parting plane on that axis.
+
+    Examples
+    --------
+    >>> roof = np.array([[[0, 0, 1], [1, 0, 1], [0, 1, 1]]], dtype=float)
+    >>> undercut_of(roof, 2, 0.0), undercut_of(roof, 2, 2.0)
+    (0.0, 0.5)
+    """
+    area, normal = areas(corners)
+    at, slope = corners.mean(axis=1)[:, axis], normal[:, axis]
+    return float(area[_wrong(at, slope > SLOPE, slope < -SLOPE, height)].sum())
+
+
 def _parting(corners: Array, axis: int) -> Parting:
     area, normal = areas(corners)
     middle, slope = corners.mean(axis=1), normal[:, axis]

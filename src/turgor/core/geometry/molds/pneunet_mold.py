@@ -10,14 +10,20 @@ from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.geometry.actuators.slow_pneunet import SlowPneuNet
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.geometry import Geometry, check_volume
+from turgor.core.geometry.molds.drafted import Cast, filled_part, with_casting, with_drafts
 from turgor.core.geometry.molds.mold import Mold, MoldSettings, mold_part
+from turgor.core.geometry.molds.taper.pull import Pull
 from turgor.core.geometry.shapes.solids import box, cut, union, volume
 
 #: How it is cast.
 NOTES = (
     "Cup and core part at the floor of the cavity and are pulled along z. Fill the cup and press the core in.",
     "Cast the floor and the base in the tray, with the paper in it, and glue them on; a tube makes the air inlet.",
-    "The walls of the cup and of the core lie along the pull and have no draft: use a release agent.",
+)
+
+#: What is said of walls without draft.
+UPRIGHT = (
+    "The walls of the cup and of the core lie along the pull and have no draft: use a release agent, or state one."
 )
 
 
@@ -63,10 +69,37 @@ def pneunet_mold(actuator: FastPneuNet | SlowPneuNet, mold: MoldSettings) -> Mol
     check_volume("core", volume(cavity), built.cavity_volume)
     filled = _envelope(sizes, sizes.floor_top, sizes.height)
     casting = cut(filled, gaps) if gaps else filled
-    parts = {"cup": _cup(sizes, mold, casting), "core": _core(sizes, mold, cavity), "tray": _tray(sizes, mold)}
-    _check(parts, sizes, mold, volume(casting), built.cavity_volume)
+    drawn = _Cast(casting, cavity, _envelope(sizes, 0.0, sizes.floor_top))
+    if not mold.draft:
+        return Mold(parts=_parts(built, sizes, mold, drawn), notes=(*NOTES, UPRIGHT))
+    height = sizes.floor_top / METERS_PER_CAD_UNIT
+    as_drawn = Cast(filled=filled_part(union(list(built.shape.solids)), [cavity]), fillings=[cavity])
+    pull = Pull(axis=2, side=1, height=height, draft=mold.draft)
+    cast = with_drafts(as_drawn, pull, [pull])
+    above = _envelope(sizes, sizes.floor_top, sizes.height)
+    tapered = _Cast(cast.filled * above, cast.fillings[0], cast.filled - above)
+    made = Mold(parts=_parts(built, sizes, mold, tapered), notes=NOTES)
+    return with_casting(made, built, as_drawn, cast, mold)
+
+
+@dataclass(frozen=True, slots=True)
+class _Cast:
+    """What is cast above the floor with its chambers filled, what fills them, and what is cast in the tray."""
+
+    filled: Any
+    cavity: Any
+    slab: Any
+
+
+def _parts(built: Geometry, sizes: _Sizes, mold: MoldSettings, cast: _Cast) -> dict[str, Geometry]:
+    parts = {
+        "cup": _cup(sizes, mold, cast.filled),
+        "core": _core(sizes, mold, cast.cavity),
+        "tray": _tray(sizes, mold, cast.slab),
+    }
+    _check(parts, sizes, mold, cast)
     titles = {name: f"{name} of the mold of a {built.name}" for name in parts}
-    return Mold(parts={name: mold_part(titles[name], name, shape) for name, shape in parts.items()}, notes=NOTES)
+    return {name: mold_part(titles[name], name, shape) for name, shape in parts.items()}
 
 
 def _envelope(sizes: _Sizes, low: float, high: float, around: float = 0.0) -> Any:
@@ -112,22 +145,20 @@ def _core(sizes: _Sizes, mold: MoldSettings, cavity: Any) -> Any:
     return union([cut(plate, holes), cavity])
 
 
-def _tray(sizes: _Sizes, mold: MoldSettings) -> Any:
+def _tray(sizes: _Sizes, mold: MoldSettings, slab: Any) -> Any:
     """A flat tray for the floor and the base."""
-    block = _envelope(sizes, -mold.wall, sizes.floor_top, mold.wall)
-    return block - _envelope(sizes, 0.0, sizes.floor_top)
+    return _envelope(sizes, -mold.wall, sizes.floor_top, mold.wall) - slab
 
 
-def _check(parts: Mapping[str, Any], sizes: _Sizes, mold: MoldSettings, casting: float, cavity: float) -> None:
+def _check(parts: Mapping[str, Any], sizes: _Sizes, mold: MoldSettings, cast: _Cast) -> None:
     """Compare the CAD volumes with those of the dimensions."""
     outer = (sizes.length + 2 * mold.wall) * (sizes.width + 2 * mold.wall)
     pins = pi * mold.pin_diameter**2 * mold.pin_height
     holes = pi * (mold.pin_diameter + 2 * mold.clearance) ** 2 * (mold.pin_height + mold.clearance)
-    inner = sizes.length * sizes.width * sizes.floor_top
     expected = {
-        "cup": outer * (sizes.height + mold.wall - sizes.floor_top) - casting + pins,
-        "core": outer * mold.wall - holes + cavity,
-        "tray": outer * (sizes.floor_top + mold.wall) - inner,
+        "cup": outer * (sizes.height + mold.wall - sizes.floor_top) - volume(cast.filled) + pins,
+        "core": outer * mold.wall - holes + volume(cast.cavity),
+        "tray": outer * (sizes.floor_top + mold.wall) - volume(cast.slab),
     }
     for name, shape in parts.items():
         check_volume(f"{name} of the mold", volume(shape), expected[name])

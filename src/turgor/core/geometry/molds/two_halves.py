@@ -1,5 +1,7 @@
 """Mold of any part: two halves that come apart along an axis, and a core for each cavity."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -7,24 +9,27 @@ from numpy.typing import NDArray
 
 from turgor.core.geometry import occ
 from turgor.core.geometry.cad.cavities import find_hollows
-from turgor.core.geometry.cad.facets import find_facets
+from turgor.core.geometry.cad.facets import find_facets, round_facets
 from turgor.core.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.core.geometry.geometry import Geometry
 from turgor.core.geometry.molds.cores import Plug, plug_of
-from turgor.core.geometry.molds.draft import draft_lines, draftless
+from turgor.core.geometry.molds.draft import ANGLE, LEAST_SHARE, draft_lines, draftless, slopes
+from turgor.core.geometry.molds.drafted import Cast, filled_part, with_casting, with_drafts
+from turgor.core.geometry.molds.halves import block, lower_side, pins, pouring_holes
 from turgor.core.geometry.molds.mold import Mold, MoldSettings, mold_part
-from turgor.core.geometry.molds.parting import SLOPE, Parting, areas, partings
+from turgor.core.geometry.molds.parting import SLOPE, Parting, partings, undercut_of
+from turgor.core.geometry.molds.taper.pull import Pull
 from turgor.core.geometry.shapes.solids import cut, union
 from turgor.foundation.errors import TurgorError
 from turgor.units import deg
 
 Array = NDArray[np.float64]
 
-#: How far the holes to pour reach into the casting's top, for tops that are round [CAD units].
-REACH = 0.3
+#: What is said of a wall that has no draft, because it may not.
+STEPPED = "The wall around the opening stays upright: the step of the lower half that carries the core slides along it."
 
-#: Share of the height below its top in which a casting is poured from.
-TOP = 0.02
+#: Relative change of a volume that is round-off.
+UNCHANGED = 1e-9
 
 
 def two_halves(geometry: Geometry, settings: MoldSettings) -> Mold:
@@ -42,38 +47,74 @@ def two_halves(geometry: Geometry, settings: MoldSettings) -> Mold:
     TurgorError
         If no two halves come off, a cavity has no plane opening, or the part is not a whole one of CAD faces.
     """
-    body = union(list(_whole(geometry).solids))
-    faces = list(dict.fromkeys(body.faces))
-    facets = find_facets(body, faces)
+    plan = _planned(_whole(geometry), geometry.cavities, settings)
+    cast = _drafted(plan, settings.draft) if settings.draft else plan.cast
+    parts = {
+        name: mold_part(f"{name} of the mold of {geometry.name}", name, shape)
+        for name, shape in _parts(plan, cast, settings).items()
+    }
+    lines = _walls(cast, plan, settings)
+    if settings.draft and abs(cast.filled.mass / plan.cast.filled.mass - 1) < UNCHANGED and lines:
+        raise TurgorError(
+            f"draft is {settings.draft / deg:.4g} deg, and this part has no wall that can be tapered, a plane one or a "
+            "round one about the pull. Leave draft at 0 deg, or draw it in the CAD part."
+        )
+    stepped = [STEPPED] if settings.draft and _stepped(plan) else []
+    mold = Mold(parts=parts, notes=(*_opening(plan), *lines, *stepped))
+    return with_casting(mold, geometry, plan.cast, cast, settings) if settings.draft else mold
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class _Plan:
+    """What is cast as it is drawn, its bounds, the way out of each core by its name, and where the halves part."""
+
+    cast: Cast
+    low: Array
+    high: Array
+    outside: Array
+    plugs: dict[str, Plug]
+    parting: Parting
+
+
+def _planned(shape: Any, cavities: Sequence[str], settings: MoldSettings) -> _Plan:
+    drawn = union(list(shape.solids))
+    faces = list(dict.fromkeys(drawn.faces))
+    facets = find_facets(drawn, faces)
     hollows = find_hollows(facets)[0]
     low, high = facets.points.min(axis=0), facets.points.max(axis=0)
     wall = settings.wall / METERS_PER_CAD_UNIT
     far = float(np.ptp(facets.points, axis=0).max()) + 3 * wall
-    names = list(geometry.cavities) if len(hollows) == len(geometry.cavities) else [""] * len(hollows)
-    plugs = [plug_of(n or "cavity", each, facets, faces, far) for n, each in zip(names, hollows, strict=True)]
-    inside = np.concatenate([np.zeros(0, dtype=np.int64), *[np.array(each.faces) for each in hollows]])
-    on_outside = ~np.isin(facets.face, inside)
-    outside = facets.points[facets.triangles[on_outside]]
-    parting = _chosen(partings(outside), plugs, settings)
-    block = _box(low - wall, high + wall)
-    pieces = list(cut(block - body, [plug.shape for plug in plugs]).solids)
-    around = [any(piece.bounding_box[0][i] < low[i] - wall / 2 for i in range(3)) for piece in pieces]
-    shell = union([piece for piece, out in zip(pieces, around, strict=True) if out])
-    fillings = [piece for piece, out in zip(pieces, around, strict=True) if not out]
-    cores = _cores(fillings, plugs, _box(low - 2 * wall, high + 2 * wall))
-    lower = _lower_side(parting, plugs, low - wall, high + wall, wall / 4)
-    pins, holes = _pins(parting, low - wall / 2, high + wall / 2, settings)
-    pours = _pours(outside, parting, high + wall, settings)
-    shapes = {"lower": union([shell * lower, *pins]), "upper": cut(shell - lower, [*holes, *pours])}
-    named = ["core"] if len(cores) == 1 else [f"core_{i}" for i in range(1, len(cores) + 1)]
-    shapes |= dict(zip(named, cores, strict=True))
-    parts = {name: mold_part(f"{name} of the mold of {geometry.name}", name, each) for name, each in shapes.items()}
-    walls = draftless(outside, facets.face[on_outside], parting.axis, settings.draft, "halves")
-    for name, hollow, plug in zip(named, hollows, plugs, strict=True):
-        rows = np.isin(facets.face, np.array(hollow.faces))
-        corners = facets.points[facets.triangles[rows]]
-        walls += draftless(corners, facets.face[rows], plug.axis, settings.draft, name.replace("_", " "))
-    return Mold(parts=parts, notes=(*_notes(parting, outside, plugs, settings), *draft_lines(walls, settings.draft)))
+    names = list(cavities) if len(hollows) == len(cavities) else ["cavity"] * len(hollows)
+    plugs = [plug_of(name, each, facets, faces, far) for name, each in zip(names, hollows, strict=True)]
+    air = cut(block(low - wall, high + wall) - drawn, [plug.shape for plug in plugs])
+    inner = _pieces(air, low - wall / 2)[1]
+    fillings = [min(inner, key=lambda each: float(each.Distance(plug.shape))) for plug in plugs]
+    cast = Cast(filled=filled_part(drawn, fillings), fillings=fillings)
+    outside = _corners(cast.filled)
+    cores = ["core"] if len(plugs) == 1 else [f"core_{i + 1}" for i in range(len(plugs))]
+    return _Plan(
+        cast=cast,
+        low=low,
+        high=high,
+        outside=outside,
+        plugs=dict(zip(cores, plugs, strict=True)),
+        parting=_chosen(outside, plugs, settings),
+    )
+
+
+def _parts(plan: _Plan, cast: Cast, settings: MoldSettings) -> dict[str, Any]:
+    """The halves, and the cores, which stand out of the block."""
+    low, high, plugs = plan.low, plan.high, list(plan.plugs.values())
+    wall = settings.wall / METERS_PER_CAD_UNIT
+    air = cut(block(low - wall, high + wall) - cast.filled, [*cast.fillings, *(plug.shape for plug in plugs)])
+    shell = union(_pieces(air, low - wall / 2)[0])
+    lower = lower_side(plan.parting, plugs, low - wall, high + wall, wall / 4)
+    rods, holes = pins(plan.parting, low - wall / 2, high + wall / 2, settings)
+    pours = pouring_holes(plan.outside, plan.parting, high + wall, settings)
+    around = block(low - 2 * wall, high + 2 * wall)
+    cores = [occ.Fuse([each, plug.shape * around]) for each, plug in zip(cast.fillings, plugs, strict=True)]
+    halves = {"lower": union([shell * lower, *rods]), "upper": cut(shell - lower, [*holes, *pours])}
+    return halves | dict(zip(plan.plugs, cores, strict=True))
 
 
 def _whole(geometry: Geometry) -> Any:
@@ -85,8 +126,19 @@ def _whole(geometry: Geometry) -> Any:
     return shape
 
 
-def _chosen(ranked: list[Parting], plugs: list[Plug], settings: MoldSettings) -> Parting:
-    """The first plane from which halves come off, and along whose pull no core lies above another one."""
+def _chosen(outside: Array, plugs: list[Plug], settings: MoldSettings) -> Parting:
+    """The first plane from which halves come off, and along whose pull no core lies above another one.
+
+    Where cores are pulled out, it is the plane of their openings, if halves come off there: walls with draft are then
+    as thick as without.
+    """
+    ranked = partings(outside)
+    pulled = {(each.axis, round(float(each.foot[each.axis]), 6)) for each in plugs if each.trapped < SLOPE}
+    if len(pulled) == 1:
+        axis, height = pulled.pop()
+        undercut = undercut_of(outside, axis, height)
+        if undercut <= ranked[0].undercut + SLOPE:
+            return replace(ranked[0], axis=axis, height=height, undercut=undercut)
     free = [each for each in ranked if each.undercut * METERS_PER_CAD_UNIT**2 <= settings.undercut]
     if free:
         return next((each for each in free if not _stacked(each.axis, plugs)), free[0])
@@ -98,6 +150,29 @@ def _chosen(ranked: list[Parting], plugs: list[Plug], settings: MoldSettings) ->
         f"{settings.undercut * 1e6:g} mm². Cast it in two parts, or allow what rubber can be peeled off with "
         "MoldSettings(undercut=...)."
     )
+
+
+def _drafted(plan: _Plan, draft: float) -> Cast:
+    """What is cast with draft.
+
+    A wall stays upright where a core leaves through it that lies in a step of the lower half: the step slides along
+    this wall. Cores that are wider than their opening stay, because they are not pulled.
+    """
+    parting, plugs = plan.parting, plan.plugs.values()
+    pull = Pull(axis=parting.axis, side=1, height=parting.height, draft=draft)
+    cores = [
+        None
+        if each.trapped > SLOPE
+        else Pull(axis=each.axis, side=-each.side, height=float(each.foot[each.axis]), draft=draft)
+        for each in plugs
+    ]
+    return with_drafts(plan.cast, pull, cores, _stepped(plan))
+
+
+def _stepped(plan: _Plan) -> list[Array]:
+    """Openings whose cores lie in a step of the lower half."""
+    parting = plan.parting
+    return [each.foot for each in plan.plugs.values() if each.steps(parting.axis, parting.height)]
 
 
 def _stacked(axis: int, plugs: list[Plug]) -> bool:
@@ -112,87 +187,20 @@ def _stacked(axis: int, plugs: list[Plug]) -> bool:
     )
 
 
-def _box(low: Array, high: Array) -> Any:
-    return occ.Box(occ.Pnt(*map(float, low)), occ.Pnt(*map(float, high)))
+def _pieces(shape: Any, edge: Array) -> tuple[list[Any], list[Any]]:
+    """Pieces of a block that reach its edge, and those within."""
+    solids = list(shape.solids)
+    around = [any(piece.bounding_box[0][i] < edge[i] for i in range(3)) for piece in solids]
+    return [s for s, out in zip(solids, around, strict=True) if out], [
+        s for s, out in zip(solids, around, strict=True) if not out
+    ]
 
 
-def _cores(fillings: list[Any], plugs: list[Plug], around: Any) -> list[Any]:
-    """Join each plug to the filling that it touches; it stands out of the block."""
-    cores = []
-    for plug in plugs:
-        away = [float(each.Distance(plug.shape)) for each in fillings]
-        cores.append(occ.Fuse([fillings[int(np.argmin(away))], plug.shape * around]))
-    return cores
-
-
-def _lower_side(parting: Parting, plugs: list[Plug], low: Array, high: Array, rim: float) -> Any:
-    """Space of the lower half: below the plane, with steps, wider by a rim, to the middle of plugs across the pull."""
-    top, axis = high.copy(), parting.axis
-    top[axis] = parting.height
-    side = _box(low, top) if parting.height > low[axis] else None
-    for plug in (each for each in plugs if each.axis != axis):
-        near, far = (np.array([corner[i] for i in range(3)]) for corner in plug.shape.bounding_box)
-        middle = (near[axis] + far[axis]) / 2
-        near[axis], far[axis] = sorted((middle, parting.height))
-        if far[axis] - near[axis] < 1e-6:
-            continue
-        aside = 3 - axis - plug.axis
-        near[aside], far[aside] = near[aside] - rim, far[aside] + rim
-        step = _box(near, far)
-        side = side - step if middle < parting.height else side + step
-    return side
-
-
-def _pins(parting: Parting, low: Array, high: Array, settings: MoldSettings) -> tuple[list[Any], list[Any]]:
-    """Pins on the lower half, in the corners of the parting plane, and their holes in the upper one."""
-    across = [i for i in range(3) if i != parting.axis]
-    radius, tall, clear = (
-        each / METERS_PER_CAD_UNIT for each in (settings.pin_diameter / 2, settings.pin_height, settings.clearance)
-    )
-    pins, holes = [], []
-    for a in (low[across[0]], high[across[0]]):
-        for b in (low[across[1]], high[across[1]]):
-            foot = np.zeros(3)
-            foot[parting.axis], foot[across[0]], foot[across[1]] = parting.height, a, b
-            pins.append(_rod(foot, parting.axis, radius, tall))
-            holes.append(_rod(foot, parting.axis, radius + clear, tall + clear))
-    return pins, holes
-
-
-def _pours(outside: Array, parting: Parting, high: Array, settings: MoldSettings) -> list[Any]:
-    """Two holes from the ends of the casting's top out of the upper half: to pour in, and for the air."""
-    axis, points = parting.axis, outside.reshape(-1, 3)
-    level = points[:, axis].max()
-    top = points[points[:, axis] > level - TOP * np.ptp(points[:, axis])]
-    longest = max((i for i in range(3) if i != axis), key=lambda i: float(np.ptp(points[:, i])))
-    radius = settings.pour_diameter / 2 / METERS_PER_CAD_UNIT
-    holes = []
-    for end in (top[:, longest].min(), top[:, longest].max()):
-        near = top[np.abs(top[:, longest] - end) < 2 * radius + 1e-6]
-        foot = (near.min(axis=0) + near.max(axis=0)) / 2
-        foot[axis] = level - REACH
-        holes.append(_rod(foot, axis, radius, float(high[axis] - foot[axis])))
-    return holes
-
-
-def _rod(foot: Array, axis: int, radius: float, height: float) -> Any:
-    return occ.Cylinder(occ.Pnt(*map(float, foot)), (occ.X, occ.Y, occ.Z)[axis], r=radius, h=height)
-
-
-def _notes(parting: Parting, outside: Array, plugs: list[Plug], settings: MoldSettings) -> tuple[str, ...]:
+def _opening(plan: _Plan) -> list[str]:
+    """How the mold opens."""
+    parting, plugs = plan.parting, plan.plugs.values()
     axis = "xyz"[parting.axis]
-    area, normal = areas(outside)
-    slope = np.abs(normal[:, parting.axis])
-    steep = area[slope < np.sin(settings.draft)].sum() / area.sum()
-    cap = area[slope > np.cos(settings.draft)].sum()
-    lines = [f"The halves part at {axis} = {parting.height:.4g} mm and are pulled along {axis}."]
-    if steep > 0 and cap < area.sum():
-        lines.append(
-            f"{steep:.0%} of the outside has a draft below {settings.draft / deg:g}°: use a release agent, or draw it "
-            "with a draft."
-        )
-    if parting.undercut > SLOPE:
-        lines.append(f"Undercuts of {parting.undercut:.2g} mm² hold the halves back; peel the rubber off them.")
+    lines = [f"The halves part at {axis} = {parting.height + 0.0:.4g} mm and are pulled along {axis}."]
     for i, plug in enumerate(plugs, start=1):
         name = "The core" if len(plugs) == 1 else f"Core {i}"
         way = f"{'-' if plug.side < 0 else '+'}{'xyz'[plug.axis]}"
@@ -203,4 +211,29 @@ def _notes(parting: Parting, outside: Array, plugs: list[Plug], settings: MoldSe
                 f"{name} is wider than its opening at {way}: make it of wax or of a material that dissolves, or "
                 "stretch the rubber over it."
             )
-    return tuple(lines)
+    return lines
+
+
+def _walls(cast: Cast, plan: _Plan, settings: MoldSettings) -> list[str]:
+    """Undercuts that hold the casting back, and which walls have less draft than requested."""
+    outside, draft, parting = round_facets(cast.filled), settings.listed_draft, plan.parting
+    area, slope = outside.areas, slopes(outside, parting.axis)
+    steep, cap = area[slope < draft - ANGLE].sum() / area.sum(), area[slope > np.pi / 2 - draft].sum()
+    lines = []
+    if steep > 0.5 * LEAST_SHARE and cap < area.sum():
+        remedy = "draw them with it" if settings.draft else "state a draft"
+        lines.append(
+            f"{steep:.0%} of the outside has a draft below {draft / deg:.4g}°: use a release agent, or {remedy}."
+        )
+    undercut = undercut_of(_corners(cast.filled), parting.axis, parting.height)
+    if undercut > SLOPE:
+        lines.append(f"Undercuts of {undercut:.2g} mm² hold the halves back; peel the rubber off them.")
+    walls = draftless(outside, parting.axis, draft, "halves")
+    for (name, plug), filling in zip(plan.plugs.items(), cast.fillings, strict=True):
+        if plug.trapped < SLOPE:  # others are not pulled
+            walls += draftless(round_facets(filling), plug.axis, draft, name.replace("_", " "))
+    return [*lines, *draft_lines(walls, draft)]
+
+
+def _corners(shape: Any) -> Array:
+    return find_facets(shape, list(dict.fromkeys(shape.faces))).corners()

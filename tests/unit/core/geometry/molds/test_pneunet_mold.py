@@ -10,7 +10,7 @@ from turgor.core.geometry.molds.casting_mold import casting_mold
 from turgor.core.geometry.molds.mold import MoldSettings
 from turgor.core.geometry.shapes.solids import box
 from turgor.core.meshing.exchange.formats.write_stl import write_stl
-from turgor.units import deg, mm
+from turgor.units import mm
 
 FAMILIES = {
     "fast": tg.FastPneuNet(chambers=3, length=30 * mm),
@@ -72,5 +72,3 @@ def test_refusals():
         MoldSettings(pour_diameter=0.0)
     with refused("undercut", "-1 mm²"):
         MoldSettings(undercut=-1e-6)
-    with refused("draft", "60°"):
-        MoldSettings(draft=60 * deg)

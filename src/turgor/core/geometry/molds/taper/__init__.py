@@ -1,0 +1,1 @@
+"""Draft of a part: its walls along a pull are tapered."""
