@@ -26,6 +26,7 @@ from turgor.foundation.errors import TurgorError
 from turgor.job.decks.account import Account
 from turgor.job.decks.deck import read_deck
 from turgor.job.decks.febio.elements import read_elements
+from turgor.job.decks.febio.meshes import read_mesh
 from turgor.job.decks.importing import import_deck
 from turgor.job.decks.steps import path_of
 from turgor.job.decks.tracks import SHIFT
@@ -98,10 +99,16 @@ def row_of(file: Path, expected: list[object] | None) -> list[str]:
 def free_norm(solution: tg.Solution, file: Path) -> float:
     """Norm [mm] of the displacements that nothing prescribes, at the nodes of the file."""
     deck = read_deck(file)
-    path = path_of(deck, Account())
+    path = path_of(deck, {}, Account())
     moved = {target[1:] for target in path.tracks.of if isinstance(target, tuple) and target[0] == SHIFT}
     mesh = solution.model.mesh
-    nodes = deck.solid_nodes.tolist()
+    mesh_of_file, _ = read_mesh(read_elements(file))
+    shells = {
+        node for part, solid in mesh_of_file.solids.items() if not solid
+        for nodes in mesh_of_file.parts[part].values() for node in nodes
+    }  # fmt: skip
+    last = max(mesh_of_file.points) + len(shells)  # later ones lie between the faces of shells
+    nodes = [node for node in deck.solid_nodes.tolist() if node <= last]
     _, rows = cKDTree(mesh.points).query(1e-3 * np.array([deck.place[node] for node in nodes]))
     values = 1e3 * solution.states[-1].displacement[rows]
     free = [[(node, k) not in path.fixed and (node, k) not in moved for k in (1, 2, 3)] for node in nodes]

@@ -50,6 +50,8 @@ class FebMesh:
         Two surfaces that touch or are tied.
     cell_sets : dict of str to list of int
         Numbers of cells.
+    backs, middles : dict of int to int
+        Nodes behind those of shells that have become solid cells, and the nodes between by those behind.
     """
 
     points: dict[int, tuple[float, ...]] = field(default_factory=dict)
@@ -61,6 +63,8 @@ class FebMesh:
     owners: dict[str, Element] = field(default_factory=dict)
     pairs: dict[str, tuple[str, str]] = field(default_factory=dict)
     cell_sets: dict[str, list[int]] = field(default_factory=dict)
+    backs: dict[int, int] = field(default_factory=dict)
+    middles: dict[int, int] = field(default_factory=dict)
 
     def nodes_of(self, user: Element, name: str) -> list[int]:
         """Nodes of a set that an element names, or of a surface or part behind a sign such as ``@surface:``."""
