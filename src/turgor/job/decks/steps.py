@@ -53,8 +53,8 @@ class Path:
         What moves and loads.
     ends : list of float [s]
         Ends of the steps so far.
-    relaxes, arc_length, stabilized : bool
-        Whether a step takes time, whether one follows limit points, and whether contact alone stops a body.
+    relaxes, moves, arc_length, stabilized : bool
+        Whether a step takes time, one has inertia, one follows limit points, and whether contact alone stops a body.
     """
 
     deck: Deck
@@ -65,6 +65,7 @@ class Path:
     tracks: Tracks = field(default_factory=Tracks)
     ends: list[float] = field(default_factory=list)
     relaxes: bool = False
+    moves: bool = False
     arc_length: bool = False
     stabilized: bool = False
 
@@ -89,6 +90,8 @@ def path_of(deck: Deck, initial: dict[int, float], account: Account) -> Path:
             _attempt(path, keyword, _take_boundary)
     for step in deck.steps:
         _take_step(path, step)
+    for track in path.tracks.of.values() if path.moves else ():
+        track.rise()
     return path
 
 
@@ -99,9 +102,10 @@ Taker: TypeAlias = Callable[[Path, Keyword], str]
 def _attempt(path: Path, keyword: Keyword, take: Taker) -> None:
     try:
         path.account.taken(keyword, take(path, keyword))
-    except (TurgorError, IndexError, ValueError) as error:
-        text = str(error) if isinstance(error, TurgorError) else f"a line of data is damaged ({error})"
-        path.account.missing(keyword, text)
+    except TurgorError as error:
+        path.account.missing(keyword, str(error))
+    except (IndexError, ValueError) as error:
+        path.account.missing(keyword, f"a line of data is damaged ({error})")
 
 
 def _take_amplitude(path: Path, keyword: Keyword) -> str:
@@ -116,7 +120,7 @@ def _take_step(path: Path, step: tuple[Keyword, ...]) -> None:
         return
     times = [span for keyword in step if (span := _span_of(path, keyword, first)) is not None]
     if len(times) != 1:
-        path.account.missing(first, "the step has no procedure that has a form here, which is *STATIC or *VISCO.")
+        path.account.missing(first, "the step has no procedure that has a form here: *STATIC, *VISCO or *DYNAMIC.")
         return
     large = "nlgeom" in first.given and first.given["nlgeom"].lower() != "no"
     small = "" if large else "; the deck solves it with small displacements, turgor with large ones"
@@ -130,15 +134,19 @@ def _take_step(path: Path, step: tuple[Keyword, ...]) -> None:
 
 def _span_of(path: Path, keyword: Keyword, first: Keyword) -> Span | None:
     """Time of a step; None for a keyword that is no procedure."""
-    if keyword.name not in ("static", "visco"):
+    if keyword.name not in ("static", "visco", "dynamic"):
         return None
-    values = [*numbers(keyword.lines[0], keyword.path, "times of a step")] if keyword.lines else []
+    if path.ends and (keyword.name == "dynamic") != path.moves:
+        path.account.missing(keyword, "steps with inertia next to steps without it have no form here.")
+    values = list(numbers(keyword.lines[0], keyword.path, "times of a step")) if keyword.lines else []
     period = values[1] if len(values) > 1 and values[1] > 0 else 1.0
     start = path.ends[-1] if path.ends else 0.0
     path.relaxes |= keyword.name == "visco"
+    path.moves |= keyword.name == "dynamic"
     path.arc_length |= "riks" in keyword.given
     path.account.taken(keyword, f"procedure, {period:g} s long; turgor chooses its increments")
-    return Span(start=start, end=start + period, at_once=first.given.get("amplitude", "").lower() == "step")
+    usual = "step" if path.moves else "ramp"
+    return Span(start=start, end=start + period, at_once=first.given.get("amplitude", usual).lower() == "step")
 
 
 def _take_boundary(path: Path, keyword: Keyword) -> str:

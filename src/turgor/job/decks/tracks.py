@@ -21,6 +21,11 @@ SPIN = "spin"
 SAME = 1e-9
 
 
+#: Share of the whole time in which a sudden load rises where a deck has inertia: motion of turgor begins in equilibrium
+#: with the loads that are there, that of a deck in the shape of its mesh.
+SUDDEN = 1e-4
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Amplitude:
     """An amplitude of a deck: points of time and factor."""
@@ -81,6 +86,12 @@ class Track:
             raise TurgorError("a load that jumps between two steps has no form here; let its amplitude begin there.")
         inner = [time + shift for time, _ in amplitude.points if span.start < time + shift < span.end]
         self.points += [(t, self.value * amplitude.factor(t - shift)) for t in (*inner, span.end)]
+
+    def rise(self) -> None:
+        """Let what is there from the start rise from zero in a short time."""
+        first = self.points[0][1]
+        if first:
+            self.points[:1] = [(0.0, 0.0), (SUDDEN * self.points[-1][0], first)]
 
     def history(self) -> tuple[float, History]:
         """The value of largest size, and the history of the shares of it over the load factor."""

@@ -61,6 +61,7 @@ def keywords_of_febio(path: Path) -> list[Keyword]:
     state = Prescribed(mesh, curves_of(root), ends[-1][0], ends[0][1], sides, sheets)
     rows += _mesh_rows(root, mesh, rigid)
     weighs = any(True for place in _places(root) for section in place.all("Loads") for _ in section.all("body_load"))
+    weighs = weighs or any(step.name == "dynamic" for step in steps)
     rows += [row for each in materials if each.given.get("type") != RIGID for row in _material(each, weighs)]
     rows += _sections(root, mesh, of_parts)
     supports, loads = _prescribed(root, state, materials, rigid, alone=len(ends) == 1)
@@ -161,8 +162,10 @@ def _steps(root: Element) -> tuple[list[tuple[float, float]], list[Keyword]]:
 
 def _begin(control: Element, size: float, period: float) -> Keyword:
     kind = control.word("analysis", "STATIC") or (control.first("analysis") or control).given.get("type", "STATIC")
+    if kind.upper() in ("DYNAMIC", "1"):
+        return control.keyword("dynamic", [f"{size!r}, {period!r}"])
     if kind.upper() not in ("STATIC", "STEADY-STATE", "0"):
-        return control.missing(f"an analysis of the type {kind} has no form here; STATIC has one.")
+        return control.missing(f"an analysis of the type {kind} has no form here; STATIC and DYNAMIC have one.")
     return control.keyword("static", [f"{size!r}, {period!r}"])
 
 
@@ -171,7 +174,8 @@ def _step_rows(begin: Keyword, loads: list[Keyword], *, visco: bool) -> Iterator
         yield begin
         return
     yield Keyword("step", {"nlgeom": ""}, begin.path, begin.line, [], begin.label)
-    yield Keyword("visco", {}, begin.path, begin.line, begin.lines, begin.label) if visco else begin
+    relaxes = visco and begin.name == "static"
+    yield Keyword("visco", {}, begin.path, begin.line, begin.lines, begin.label) if relaxes else begin
     yield from loads
     yield Keyword("end step", {}, begin.path, begin.line, [], begin.label)
 
