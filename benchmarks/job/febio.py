@@ -10,6 +10,7 @@ end of the last step. It is compared with that of turgor at the same nodes.
 
 import ast
 import re
+import signal
 import sys
 from collections import Counter
 from pathlib import Path
@@ -40,6 +41,9 @@ MOST_UNKNOWNS, MOST_BYTES = 40_000, 3_000_000
 #: Largest difference of the norm that counts as agreement: cells differ.
 AGREE = 0.05
 
+#: Processor time after which a file is given up [s].
+MOST_SECONDS = 120
+
 #: Units that are taken, whatever the file states: its numbers are of order one.
 UNITS = "mm, N, MPa"
 
@@ -48,10 +52,12 @@ def main(folder: Path, standards: Path, chosen: list[str]) -> None:
     """Print a row for each file that is understood, and why the others are not."""
     expected = ast.literal_eval(standards.read_text().partition("=")[2].strip())
     rows, reasons, modules, count = [], Counter[str](), Counter[str](), 0
+    signal.signal(signal.SIGPROF, _too_long)
     for file in sorted(folder.glob("*.feb")):
         if chosen and file.stem not in chosen:
             continue
         count += 1
+        signal.setitimer(signal.ITIMER_PROF, MOST_SECONDS)
         try:
             if file.stat().st_size > MOST_BYTES:
                 raise TurgorError("more than 3 MB")
@@ -62,11 +68,19 @@ def main(folder: Path, standards: Path, chosen: list[str]) -> None:
             if chosen:
                 sys.stdout.write(f"{error}\n")
             continue
+        except TimeoutError:
+            row = [file.stem, "", "", "", "", f"{MOST_SECONDS}", "too long here"]
+        finally:
+            signal.setitimer(signal.ITIMER_PROF, 0)
         rows.append(row)
         sys.stderr.write(f"{row}\n")
     sys.stdout.write(f"{count} files, {sum(modules.values())} of them of other physics\n\n")
     sys.stdout.write(table(["file", "unknowns", "norm", "of FEBio", "difference", "CPU s", "verdict"], rows))
     sys.stdout.write("\n\n" + table(["what a job lacks", "files"], [[why, str(n)] for why, n in reasons.most_common()]))
+
+
+def _too_long(number: int, frame: object) -> None:
+    raise TimeoutError
 
 
 def _is_solid(file: Path) -> bool:
