@@ -52,6 +52,8 @@ class FebMesh:
         Numbers of cells.
     backs, middles : dict of int to int
         Nodes behind those of shells that have become solid cells, and the nodes between by those behind.
+    obstacles : dict of str to (int, int)
+        Rigid parts that others touch, with the nodes that state their shifts and turns.
     """
 
     points: dict[int, tuple[float, ...]] = field(default_factory=dict)
@@ -65,6 +67,11 @@ class FebMesh:
     cell_sets: dict[str, list[int]] = field(default_factory=dict)
     backs: dict[int, int] = field(default_factory=dict)
     middles: dict[int, int] = field(default_factory=dict)
+    obstacles: dict[str, tuple[int, int]] = field(default_factory=dict)
+
+    def nodes_in(self, parts: Iterable[str]) -> set[int]:
+        """Nodes of the cells of some parts."""
+        return {node for part in parts for nodes in self.parts[part].values() for node in nodes}
 
     def nodes_of(self, user: Element, name: str) -> list[int]:
         """Nodes of a set that an element names, or of a surface or part behind a sign such as ``@surface:``."""

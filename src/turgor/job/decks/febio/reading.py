@@ -11,7 +11,7 @@ from turgor.job.decks.febio.elements import Element, read_elements
 from turgor.job.decks.febio.materials import RIGID, material_rows
 from turgor.job.decks.febio.meshes import CELLS, FebMesh, read_mesh
 from turgor.job.decks.febio.prescribed import Prescribed, boundary_rows, load_rows
-from turgor.job.decks.febio.rigid import rigid_rows
+from turgor.job.decks.febio.rigid import name_obstacles, rigid_rows
 from turgor.job.decks.febio.thick_shells import stated_thickness, thicken_shells
 
 #: Units of FEBio as those of a deck.
@@ -55,8 +55,9 @@ def keywords_of_febio(path: Path) -> list[Keyword]:
     rigid = [part for part, (_, material) in of_parts.items() if material.given.get("type") == RIGID]
     shells = {part: stated_thickness(root, of_parts[part][0], part) for part in mesh.parts if not mesh.solids[part]}
     thicken_shells(mesh, shells, rigid)
+    name_obstacles(mesh, rigid)
     ends, steps = _steps(root)
-    sides = mesh.sides(rigid)
+    sides = mesh.sides(part for part in rigid if part not in mesh.obstacles)
     sheets = any(not solid for part, solid in mesh.solids.items() if part not in rigid)
     state = Prescribed(mesh, curves_of(root), ends[-1][0], ends[0][1], sides, sheets)
     rows += _mesh_rows(root, mesh, rigid)
@@ -114,7 +115,7 @@ def _mesh_rows(root: Element, mesh: FebMesh, rigid: list[str]) -> Iterator[Keywo
     yield nodes.keyword("node", [f"{i}, " + ", ".join(map(repr, xyz)) for i, xyz in mesh.points.items()])
     for part, cells in mesh.parts.items():
         owner = mesh.owners[f"part {part}"]
-        if part in rigid:
+        if part in rigid and part not in mesh.obstacles:
             yield owner.unneeded("cells of a rigid body")
             continue
         kind = CELLS[owner.given["type"]][0]
@@ -122,7 +123,7 @@ def _mesh_rows(root: Element, mesh: FebMesh, rigid: list[str]) -> Iterator[Keywo
         yield owner.keyword("element", lines, {"type": kind, "elset": _plain(part)})
     solid = [part for part in mesh.parts if part not in rigid and mesh.solids[part]]
     yield section.keyword("elset", [_plain(part) for part in solid], {"elset": "FEBIO_ALL"})
-    deformable = {node for part in solid for nodes in mesh.parts[part].values() for node in nodes}
+    deformable = mesh.nodes_in(solid)
     for name, members in mesh.node_sets.items():
         inside = [str(node) for node in members if node in deformable]
         if inside and len(inside) < len(mesh.points) and not name.isdigit():
@@ -211,7 +212,7 @@ def _prescribed(
 def _rigid_rows(root: Element, state: Prescribed, materials: list[Element], rigid: list[str]) -> Iterator[Keyword]:
     """Keywords of the rigid bodies."""
     mesh = state.mesh
-    deformable = {n for part in mesh.parts if part not in rigid for nodes in mesh.parts[part].values() for n in nodes}
+    deformable = mesh.nodes_in(part for part in mesh.parts if part not in rigid)
     tied = [
         bc
         for place in _places(root)
@@ -224,13 +225,14 @@ def _rigid_rows(root: Element, state: Prescribed, materials: list[Element], rigi
     for body in (each for each in materials if each.given.get("type") == RIGID):
         names = {body.given.get("name"), body.given.get("id")} - {None}
         parts = [part for part in rigid if domains.get(part, mesh.owners[f"part {part}"]).given.get("mat") in names]
-        nodes = {n for part in parts for row in mesh.parts[part].values() for n in row}
+        nodes = mesh.nodes_in(parts)
         for bc in tied:
             if bc.word("rb") in names:
                 nodes |= set(mesh.nodes_of(bc, bc.given.get("node_set", "")))
         nodes |= {mesh.backs[node] for node in nodes & set(mesh.backs)}
         own = [rule for rule in rules if rule.word("rb") in names]
-        yield from rigid_rows(state, body, sorted(nodes & deformable), own)
+        obstacles = [part for part in parts if part in mesh.obstacles]
+        yield from rigid_rows(state, body, sorted(nodes & deformable), own, obstacles)
     known = {name for each in materials for name in (each.given.get("name"), each.given.get("id"))}
     yield from (rule.missing("it has no form here.") for rule in rules if rule.word("rb") not in known)
 

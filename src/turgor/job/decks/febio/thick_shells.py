@@ -41,9 +41,9 @@ def thicken_shells(mesh: FebMesh, thickness: Mapping[str, float], rigid: list[st
     TurgorError
         If they branch or fold so sharply that they have no back.
     """
-    solid = {n for part in mesh.parts if mesh.solids[part] and part not in rigid for n in _nodes(mesh, part)}
+    solid = mesh.nodes_in(part for part in mesh.parts if mesh.solids[part] and part not in rigid)
     parts = [part for part in mesh.parts if not mesh.solids[part] and part not in rigid and thickness.get(part, 0) > 0]
-    parts = [part for part in parts if not solid & _nodes(mesh, part)]
+    parts = [part for part in parts if not solid & mesh.nodes_in([part])]
     if not parts:
         return
     try:
@@ -57,10 +57,6 @@ def thicken_shells(mesh: FebMesh, thickness: Mapping[str, float], rigid: list[st
         mesh.points[mesh.backs[node]] = tuple((np.array(mesh.points[node]) - vector).tolist())
     for part in parts:
         _make_solid(mesh, part)
-
-
-def _nodes(mesh: FebMesh, part: str) -> set[int]:
-    return {node for nodes in mesh.parts[part].values() for node in nodes}
 
 
 def _check_branches(mesh: FebMesh, parts: list[str]) -> None:
