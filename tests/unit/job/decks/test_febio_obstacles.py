@@ -58,9 +58,8 @@ def test_it_presses_the_block(tmp_path):
     model = model_of(job, mesh_of(job, job.geometry()))
     state = tg.solve(model, job.procedure).states[-1]
     lid = state.displacement[model.mesh.face_nodes("LID"), 2]
-    assert lid == pytest.approx(
-        np.full(len(lid), -1e-3), abs=3e-5
-    )  # 1.5 mm less the gap of 0.5 mm; a penalty gives way
+    # 1.5 mm less a gap of 0.5 mm; the penalty gives way
+    assert lid == pytest.approx(np.full(len(lid), -1e-3), abs=6e-5)
 
 
 def test_one_that_may_turn_is_refused(tmp_path):
