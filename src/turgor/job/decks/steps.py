@@ -25,14 +25,9 @@ from turgor.job.decks.tracks import (
     Tracks,
     amplitude_named,
     amplitudes_of,
+    boundary_row,
     mass_target,
 )
-
-#: Supports with a name instead of degrees of freedom.
-_NAMED = {
-    "ENCASTRE": (1, 2, 3), "PINNED": (1, 2, 3), "XSYMM": (1,), "YSYMM": (2,), "ZSYMM": (3,), "XASYMM": (2, 3),
-    "YASYMM": (1, 3), "ZASYMM": (1, 2),
-}  # fmt: skip
 
 
 @dataclass(slots=True)
@@ -157,7 +152,7 @@ def _take_boundary(path: Path, keyword: Keyword) -> str:
     amplitude = amplitude_named(keyword, path.amplitudes)
     nodes, left = 0, set[int]()
     for line in keyword.lines:
-        where, value, freedoms = _boundary_row(line)
+        where, value, freedoms = boundary_row(line)
         left |= {each for each in freedoms if each not in path.deck.freedoms}
         numbers_of = _nodes(path.deck, where)
         nodes += len(numbers_of)
@@ -188,19 +183,11 @@ def _check_restated(path: Path, keyword: Keyword) -> None:
     step = next((step for step in path.deck.steps if any(each is keyword for each in step)), (keyword,))
     restated = set()
     for line in (line for each in step if each.name == "boundary" for line in each.lines):
-        where, _, freedoms = _boundary_row(line)
+        where, _, freedoms = boundary_row(line)
         restated |= {(node, freedom) for node in _nodes(path.deck, where).tolist() for freedom in freedoms}
     moved = {target[1:] for target in path.tracks.of if isinstance(target, tuple) and target[0] == SHIFT}
     if (set(path.fixed) | moved) - restated:
         raise TurgorError("supports that a step removes (OP=NEW) have no form here.")
-
-
-def _boundary_row(line: str) -> tuple[str, float, tuple[int, ...]]:
-    where, first, *rest = words_of(line)
-    if first.upper() in _NAMED:
-        return where, 0.0, _NAMED[first.upper()]
-    last = int(rest[0]) if rest and rest[0] else int(first)
-    return where, float(rest[1]) if len(rest) > 1 else 0.0, tuple(range(int(first), last + 1))
 
 
 def _nodes(deck: Deck, where: str) -> NDArray[np.int64]:
