@@ -10,6 +10,7 @@ end of the last step. It is compared with that of turgor at the same nodes.
 
 import ast
 import re
+import signal
 import sys
 from collections import Counter
 from pathlib import Path
@@ -26,6 +27,7 @@ from turgor.foundation.errors import TurgorError
 from turgor.job.decks.account import Account
 from turgor.job.decks.deck import read_deck
 from turgor.job.decks.febio.elements import read_elements
+from turgor.job.decks.febio.meshes import read_mesh
 from turgor.job.decks.importing import import_deck
 from turgor.job.decks.steps import path_of
 from turgor.job.decks.tracks import SHIFT
@@ -39,18 +41,23 @@ MOST_UNKNOWNS, MOST_BYTES = 40_000, 3_000_000
 #: Largest difference of the norm that counts as agreement: cells differ.
 AGREE = 0.05
 
-#: Units that are taken, whatever the file states: its numbers are of order one.
-UNITS = "mm, N, MPa"
+#: Processor time after which a file is given up [s].
+MOST_SECONDS = 60
+
+#: Units that are taken, whatever the file states, and their length [m]; the second where a part is below 1 mm.
+UNITS = (("mm, N, MPa", 1e-3), ("m, N, Pa", 1.0))
 
 
 def main(folder: Path, standards: Path, chosen: list[str]) -> None:
     """Print a row for each file that is understood, and why the others are not."""
     expected = ast.literal_eval(standards.read_text().partition("=")[2].strip())
     rows, reasons, modules, count = [], Counter[str](), Counter[str](), 0
+    signal.signal(signal.SIGPROF, _too_long)
     for file in sorted(folder.glob("*.feb")):
         if chosen and file.stem not in chosen:
             continue
         count += 1
+        signal.setitimer(signal.ITIMER_PROF, MOST_SECONDS)
         try:
             if file.stat().st_size > MOST_BYTES:
                 raise TurgorError("more than 3 MB")
@@ -61,11 +68,19 @@ def main(folder: Path, standards: Path, chosen: list[str]) -> None:
             if chosen:
                 sys.stdout.write(f"{error}\n")
             continue
+        except TimeoutError:
+            row = [file.stem, "", "", "", "", f"{MOST_SECONDS}", "too long here"]
+        finally:
+            signal.setitimer(signal.ITIMER_PROF, 0)
         rows.append(row)
         sys.stderr.write(f"{row}\n")
     sys.stdout.write(f"{count} files, {sum(modules.values())} of them of other physics\n\n")
     sys.stdout.write(table(["file", "unknowns", "norm", "of FEBio", "difference", "CPU s", "verdict"], rows))
     sys.stdout.write("\n\n" + table(["what a job lacks", "files"], [[why, str(n)] for why, n in reasons.most_common()]))
+
+
+def _too_long(number: int, frame: object) -> None:
+    raise TimeoutError
 
 
 def _is_solid(file: Path) -> bool:
@@ -76,8 +91,10 @@ def _is_solid(file: Path) -> bool:
 
 def row_of(file: Path, expected: list[object] | None) -> list[str]:
     """Import a file, solve it, and compare it with what FEBio's developers state."""
+    points = np.array(list(read_deck(file).place.values()))
+    units, length = UNITS[int(np.ptp(points, axis=0).max() < 1)]
     with TemporaryDirectory() as place:
-        job = read_job(import_deck(file, units=UNITS).write(place))
+        job = read_job(import_deck(file, units=units).write(place))
         model = model_of(job, mesh_of(job, job.geometry()))
     count = model.mesh.unknown_count
     if count > MOST_UNKNOWNS:
@@ -87,7 +104,7 @@ def row_of(file: Path, expected: list[object] | None) -> list[str]:
     seconds = f"{process_time() - begin:.1f}"
     if solution.status.name.lower() != "converged":
         return [file.stem, f"{count:,}", "", "", "", seconds, f"stops: {solution.status.name.lower()}"]
-    ours, theirs = free_norm(solution, file), float(str(expected[6])) if expected else 0.0
+    ours, theirs = free_norm(solution, file, length), float(str(expected[6])) if expected else 0.0
     if not theirs:
         return [file.stem, f"{count:,}", f"{ours:.4g}", "", "", seconds, "no number to compare"]
     difference = ours / theirs - 1
@@ -95,15 +112,21 @@ def row_of(file: Path, expected: list[object] | None) -> list[str]:
     return [file.stem, f"{count:,}", f"{ours:.5g}", f"{theirs:.5g}", f"{100 * difference:+.2g} %", seconds, verdict]
 
 
-def free_norm(solution: tg.Solution, file: Path) -> float:
-    """Norm [mm] of the displacements that nothing prescribes, at the nodes of the file."""
+def free_norm(solution: tg.Solution, file: Path, length: float) -> float:
+    """Norm of the displacements that nothing prescribes, at the nodes of the file, in its unit of length [m]."""
     deck = read_deck(file)
-    path = path_of(deck, Account())
+    path = path_of(deck, {}, Account())
     moved = {target[1:] for target in path.tracks.of if isinstance(target, tuple) and target[0] == SHIFT}
     mesh = solution.model.mesh
-    nodes = deck.solid_nodes.tolist()
-    _, rows = cKDTree(mesh.points).query(1e-3 * np.array([deck.place[node] for node in nodes]))
-    values = 1e3 * solution.states[-1].displacement[rows]
+    mesh_of_file, _ = read_mesh(read_elements(file))
+    shells = {
+        node for part, solid in mesh_of_file.solids.items() if not solid
+        for nodes in mesh_of_file.parts[part].values() for node in nodes
+    }  # fmt: skip
+    last = max(mesh_of_file.points) + len(shells)  # later ones lie between the faces of shells
+    nodes = [node for node in deck.solid_nodes.tolist() if node <= last]
+    _, rows = cKDTree(mesh.points).query(length * np.array([deck.place[node] for node in nodes]))
+    values = solution.states[-1].displacement[rows] / length
     free = [[(node, k) not in path.fixed and (node, k) not in moved for k in (1, 2, 3)] for node in nodes]
     return float(np.linalg.norm(values[np.array(free)]))
 

@@ -18,6 +18,7 @@ from turgor.job.decks.loads import loads_of
 from turgor.job.decks.materials import materials_of
 from turgor.job.decks.mirrors import take_mirrors
 from turgor.job.decks.motions.equations import equations_of
+from turgor.job.decks.motions.inertia import damping_of
 from turgor.job.decks.motions.loose import has_loose_body
 from turgor.job.decks.motions.obstacles import obstacles_of
 from turgor.job.decks.motions.rigid import points_of
@@ -40,8 +41,8 @@ _UNUSED = frozenset(
     ("heading", "node print", "el print", "node file", "el file", "node output", "element output", "output",
      "contact print", "contact file", "contact output", "section print", "preprint", "restart", "controls", "monitor",
      "part", "end part", "assembly", "end assembly", "instance", "end instance", "include", "step", "static", "visco",
-     "time points", "print", "energy print", "energy output", "energy file", "no analysis", "section controls",
-     "orientation", "filter", "history output", "physical constants")
+     "dynamic", "time points", "print", "energy print", "energy output", "energy file", "no analysis",
+     "section controls", "orientation", "filter", "history output", "physical constants")
 )  # fmt: skip
 
 
@@ -137,7 +138,9 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
             f"'{file}' has no solid or plane cells; bodies are solids here, and sheets lie on their faces."
         )
     names = MeshNames(deck)
-    materials = materials_of(deck.model, scale, account, heated=is_heated(deck))
+    moves = any(each.name == "dynamic" for step in deck.steps for each in step)
+    needed = [word for word, is_needed in (("expansion", is_heated(deck)), ("damping", moves)) if is_needed]
+    materials = materials_of(deck.model, scale, account, needed)
     threads = threads_of(names, materials, scale, account)
     entries = entries_of(deck, materials, names, scale, account)
     way = path_of(deck, initial_of(deck, account), account)
@@ -156,6 +159,7 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
     )
     points = points_of(way, names, scale, account)
     obstacles, surfaces = obstacles_of(way, names, scale, rigid, account)
+    damping = damping_of(way, account)
     names.add_others()
     _account_rest(deck, account)
     apart = {"merge": False} if stays_apart(deck) else {}
@@ -169,7 +173,7 @@ def import_deck(path: str | Path, *, units: str | None = None, partial: bool = F
         "loads": loads_table(loads),
         "contact": contact,
         "obstacles": obstacles,
-        "procedure": _procedure(way),
+        "procedure": _procedure(way) | damping,
     }
     rows = account.sorted()
     job = _head(file, units, rows) + _toml(content)
@@ -208,11 +212,12 @@ def _procedure(way: DeckPath) -> dict[str, Any]:
     """Load control to the end of the last step, which hits the end of each."""
     total = way.ends[-1] if way.ends else 1.0
     at = [round(end / total, 12) for end in way.ends[:-1]]
-    kind = "arc_length" if way.arc_length else "stabilized" if way.stabilized else "static"
+    marked = {"dynamic": way.moves, "arc_length": way.arc_length, "stabilized": way.stabilized, "static": True}
+    kind = next(name for name, is_so in marked.items() if is_so)
     values: dict[str, Any] = {"type": kind}
     if at and not way.arc_length:
         values["at"] = at
-    if way.relaxes:
+    if way.relaxes or way.moves:
         values["duration"] = format_quantity(total, "s")
     return values
 
@@ -223,7 +228,7 @@ def _account_rest(deck: Deck, account: Account) -> None:
         if keyword.name in _COUNTED:
             account.taken(keyword, _counted(keyword))
         elif keyword.name in _UNUSED:
-            if keyword.name not in ("step", "static", "visco"):
+            if keyword.name not in ("step", "static", "visco", "dynamic"):
                 account.not_needed(keyword, "it changes no result")
         elif keyword.name == "not needed":  # of a .feb file
             account.not_needed(keyword, keyword.lines[0])

@@ -1,6 +1,6 @@
 """Materials of a deck as materials of a job."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import inf
 from typing import Any
@@ -41,7 +41,7 @@ REFUSED = (
 )  # fmt: skip
 
 #: What a material may have that no static model of rubber needs.
-IDLE = ("conductivity", "specific heat", "damping", "depvar")
+IDLE = ("conductivity", "specific heat", "depvar")
 
 
 @dataclass(slots=True)
@@ -56,7 +56,7 @@ class _Draft:
 
 
 def materials_of(
-    keywords: Iterable[Keyword], units: DeckUnits, account: Account, *, heated: bool = False
+    keywords: Iterable[Keyword], units: DeckUnits, account: Account, needed: Collection[str] = ()
 ) -> dict[str, Material]:
     """Read the materials of a deck.
 
@@ -67,8 +67,8 @@ def materials_of(
     units : DeckUnits
     account : Account
         Takes what became of each keyword.
-    heated : bool
-        Whether the expansion is needed.
+    needed : collection of str
+        ``expansion``, ``damping``: what loads or motion need of the behavior that others lack.
 
     Returns
     -------
@@ -79,7 +79,7 @@ def materials_of(
     for keyword in keywords:
         if keyword.name == "material":
             drafts.append(_Draft(keyword.given.get("name", "material"), keyword))
-        elif keyword.name in IDLE or (keyword.name == "expansion" and not heated):
+        elif keyword.name in IDLE or (keyword.name in ("expansion", "damping") and keyword.name not in needed):
             account.not_needed(keyword, "no load of the job needs it")
         elif drafts and keyword.name in _PARTS:
             try:

@@ -25,14 +25,9 @@ from turgor.job.decks.tracks import (
     Tracks,
     amplitude_named,
     amplitudes_of,
+    boundary_row,
     mass_target,
 )
-
-#: Supports with a name instead of degrees of freedom.
-_NAMED = {
-    "ENCASTRE": (1, 2, 3), "PINNED": (1, 2, 3), "XSYMM": (1,), "YSYMM": (2,), "ZSYMM": (3,), "XASYMM": (2, 3),
-    "YASYMM": (1, 3), "ZASYMM": (1, 2),
-}  # fmt: skip
 
 
 @dataclass(slots=True)
@@ -53,8 +48,8 @@ class Path:
         What moves and loads.
     ends : list of float [s]
         Ends of the steps so far.
-    relaxes, arc_length, stabilized : bool
-        Whether a step takes time, whether one follows limit points, and whether contact alone stops a body.
+    relaxes, moves, arc_length, stabilized : bool
+        Whether a step takes time, one has inertia, one follows limit points, and whether contact alone stops a body.
     """
 
     deck: Deck
@@ -65,6 +60,7 @@ class Path:
     tracks: Tracks = field(default_factory=Tracks)
     ends: list[float] = field(default_factory=list)
     relaxes: bool = False
+    moves: bool = False
     arc_length: bool = False
     stabilized: bool = False
 
@@ -89,6 +85,8 @@ def path_of(deck: Deck, initial: dict[int, float], account: Account) -> Path:
             _attempt(path, keyword, _take_boundary)
     for step in deck.steps:
         _take_step(path, step)
+    for track in path.tracks.of.values() if path.moves else ():
+        track.rise()
     return path
 
 
@@ -99,9 +97,10 @@ Taker: TypeAlias = Callable[[Path, Keyword], str]
 def _attempt(path: Path, keyword: Keyword, take: Taker) -> None:
     try:
         path.account.taken(keyword, take(path, keyword))
-    except (TurgorError, IndexError, ValueError) as error:
-        text = str(error) if isinstance(error, TurgorError) else f"a line of data is damaged ({error})"
-        path.account.missing(keyword, text)
+    except TurgorError as error:
+        path.account.missing(keyword, str(error))
+    except (IndexError, ValueError) as error:
+        path.account.missing(keyword, f"a line of data is damaged ({error})")
 
 
 def _take_amplitude(path: Path, keyword: Keyword) -> str:
@@ -116,7 +115,7 @@ def _take_step(path: Path, step: tuple[Keyword, ...]) -> None:
         return
     times = [span for keyword in step if (span := _span_of(path, keyword, first)) is not None]
     if len(times) != 1:
-        path.account.missing(first, "the step has no procedure that has a form here, which is *STATIC or *VISCO.")
+        path.account.missing(first, "the step has no procedure that has a form here: *STATIC, *VISCO or *DYNAMIC.")
         return
     large = "nlgeom" in first.given and first.given["nlgeom"].lower() != "no"
     small = "" if large else "; the deck solves it with small displacements, turgor with large ones"
@@ -130,15 +129,19 @@ def _take_step(path: Path, step: tuple[Keyword, ...]) -> None:
 
 def _span_of(path: Path, keyword: Keyword, first: Keyword) -> Span | None:
     """Time of a step; None for a keyword that is no procedure."""
-    if keyword.name not in ("static", "visco"):
+    if keyword.name not in ("static", "visco", "dynamic"):
         return None
-    values = [*numbers(keyword.lines[0], keyword.path, "times of a step")] if keyword.lines else []
+    if path.ends and (keyword.name == "dynamic") != path.moves:
+        path.account.missing(keyword, "steps with inertia next to steps without it have no form here.")
+    values = list(numbers(keyword.lines[0], keyword.path, "times of a step")) if keyword.lines else []
     period = values[1] if len(values) > 1 and values[1] > 0 else 1.0
     start = path.ends[-1] if path.ends else 0.0
     path.relaxes |= keyword.name == "visco"
+    path.moves |= keyword.name == "dynamic"
     path.arc_length |= "riks" in keyword.given
     path.account.taken(keyword, f"procedure, {period:g} s long; turgor chooses its increments")
-    return Span(start=start, end=start + period, at_once=first.given.get("amplitude", "").lower() == "step")
+    usual = "step" if path.moves else "ramp"
+    return Span(start=start, end=start + period, at_once=first.given.get("amplitude", usual).lower() == "step")
 
 
 def _take_boundary(path: Path, keyword: Keyword) -> str:
@@ -149,7 +152,7 @@ def _take_boundary(path: Path, keyword: Keyword) -> str:
     amplitude = amplitude_named(keyword, path.amplitudes)
     nodes, left = 0, set[int]()
     for line in keyword.lines:
-        where, value, freedoms = _boundary_row(line)
+        where, value, freedoms = boundary_row(line)
         left |= {each for each in freedoms if each not in path.deck.freedoms}
         numbers_of = _nodes(path.deck, where)
         nodes += len(numbers_of)
@@ -180,19 +183,11 @@ def _check_restated(path: Path, keyword: Keyword) -> None:
     step = next((step for step in path.deck.steps if any(each is keyword for each in step)), (keyword,))
     restated = set()
     for line in (line for each in step if each.name == "boundary" for line in each.lines):
-        where, _, freedoms = _boundary_row(line)
+        where, _, freedoms = boundary_row(line)
         restated |= {(node, freedom) for node in _nodes(path.deck, where).tolist() for freedom in freedoms}
     moved = {target[1:] for target in path.tracks.of if isinstance(target, tuple) and target[0] == SHIFT}
     if (set(path.fixed) | moved) - restated:
         raise TurgorError("supports that a step removes (OP=NEW) have no form here.")
-
-
-def _boundary_row(line: str) -> tuple[str, float, tuple[int, ...]]:
-    where, first, *rest = words_of(line)
-    if first.upper() in _NAMED:
-        return where, 0.0, _NAMED[first.upper()]
-    last = int(rest[0]) if rest and rest[0] else int(first)
-    return where, float(rest[1]) if len(rest) > 1 else 0.0, tuple(range(int(first), last + 1))
 
 
 def _nodes(deck: Deck, where: str) -> NDArray[np.int64]:

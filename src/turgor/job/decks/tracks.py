@@ -9,6 +9,7 @@ from turgor.core.meshing.exchange.formats.abaqus import Keyword
 from turgor.core.meshing.exchange.formats.raw import numbers
 from turgor.core.model.history import RAMP, History
 from turgor.foundation.errors import TurgorError, unknown
+from turgor.job.decks.deck import words_of
 
 #: Points of time [s] and value.
 Points = tuple[tuple[float, float], ...]
@@ -19,6 +20,17 @@ SPIN = "spin"
 
 #: Difference of shares, and of times as a share of a step, that is round-off of the digits of a deck.
 SAME = 1e-9
+
+
+#: Supports with a name instead of degrees of freedom.
+_NAMED = {
+    "ENCASTRE": (1, 2, 3), "PINNED": (1, 2, 3), "XSYMM": (1,), "YSYMM": (2,), "ZSYMM": (3,), "XASYMM": (2, 3),
+    "YASYMM": (1, 3), "ZASYMM": (1, 2),
+}  # fmt: skip
+
+#: Share of the whole time in which a sudden load rises where a deck has inertia: motion of turgor begins in equilibrium
+#: with the loads that are there, that of a deck in the shape of its mesh.
+SUDDEN = 1e-4
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,6 +93,12 @@ class Track:
             raise TurgorError("a load that jumps between two steps has no form here; let its amplitude begin there.")
         inner = [time + shift for time, _ in amplitude.points if span.start < time + shift < span.end]
         self.points += [(t, self.value * amplitude.factor(t - shift)) for t in (*inner, span.end)]
+
+    def rise(self) -> None:
+        """Let what is there from the start rise from zero in a short time."""
+        first = self.points[0][1]
+        if first:
+            self.points[:1] = [(0.0, 0.0), (SUDDEN * self.points[-1][0], first)]
 
     def history(self) -> tuple[float, History]:
         """The value of largest size, and the history of the shares of it over the load factor."""
@@ -179,3 +197,12 @@ def mass_target(label: str, values: Sequence[str]) -> Hashable:
     if label == "CENTRIF":
         return SPIN, parts[:3], parts[3:6]
     return GRAVITY, parts[:3] if len(parts) > 2 else (0.0, 0.0, -1.0)
+
+
+def boundary_row(line: str) -> tuple[str, float, tuple[int, ...]]:
+    """Return the nodes, the value and the degrees of freedom that a line of ``*BOUNDARY`` states."""
+    where, first, *rest = words_of(line)
+    if first.upper() in _NAMED:
+        return where, 0.0, _NAMED[first.upper()]
+    last = int(rest[0]) if rest and rest[0] else int(first)
+    return where, float(rest[1]) if len(rest) > 1 else 0.0, tuple(range(int(first), last + 1))

@@ -152,3 +152,43 @@ def test_equations_come_back_from_a_written_deck(tmp_path):
     model = model_in(deck(tmp_path, model=FIXED + "*EQUATION\n2\n9, 3, 1., 11, 1, 0.5\n", steps=step(PULL)), tmp_path)
     tg.files.write_inp(model, tmp_path / "again.inp")
     assert rows(model_in(tmp_path / "again.inp", tmp_path)) == rows(model)
+
+
+def test_linear_constraints_of_nodes(tmp_path):
+    lines = "*MPC\nPIN, 9, 5\nLINEAR, 90, 9, 10\n"
+    mesh = NODES + "90, 2.5, 0., 20.\n91, 2.5, 0., 21.\n92, 2.5, 1., 20.\n93, 2., 0., 21.\n" + CELLS
+    mesh = mesh.replace("*NSET, NSET=BOTTOM", "*ELEMENT, TYPE=C3D4, ELSET=BLOCK\n3, 90, 91, 92, 93\n*NSET, NSET=BOTTOM")
+    model = model_in(deck(tmp_path, mesh=mesh, model=FIXED + lines), tmp_path)
+    pinned = {((0, 0, 20, *-row), (0, 0, 10, *row)) for row in np.eye(3)}
+    hung = {((2, 0, 20, *-row), (0, 0, 20, *(0.75 * row)), (10, 0, 20, *(0.25 * row))) for row in np.eye(3)}
+    assert rows(model) == pinned | hung
+
+
+@pytest.mark.parametrize(
+    ("line", "facts"),
+    [
+        ("MEANROT, 9, 9, 9, 262", ("MEANROT", "PIN", "TIE", "LINEAR")),
+        ("PIN, 9", ("PIN", 1, 2)),
+        ("TIE, TOP, 5", ("TOP, 5",)),
+        ("LINEAR, 9, 5, 6", ("node 9", "5 and 6")),
+    ],
+)
+def test_other_constraints_of_nodes_are_refused(tmp_path, line, facts):
+    with refused("*MPC", *facts):
+        tg.files.import_deck(deck(tmp_path, model=FIXED + f"*MPC\n{line}\n"))
+
+
+def test_pinned_bricks_are_one_block(tmp_path):
+    folders = [tmp_path / "whole", tmp_path / "pinned"]
+    for folder in folders:
+        folder.mkdir()
+    again = "".join(f"10{n}, {at}\n" for n, at in ((5, "0,0,10"), (6, "10,0,10"), (7, "10,10,10"), (8, "0,10,10")))
+    mesh = (NODES + again + CELLS).replace("2, 5,6,7,8,9", "2, 105,106,107,108,9")
+    sets = "*NSET, NSET=LOW\n5, 6, 7, 8\n*NSET, NSET=HIGH\n105, 106, 107, 108\n*MPC\nTIE, HIGH, LOW\n"
+    files = [deck(folders[0]), deck(folders[1], mesh=mesh, model=FIXED + sets)]
+    heights = []
+    for file, folder in zip(files, folders, strict=True):
+        model = model_in(file, folder)
+        state = tg.solve(model).states[-1]
+        heights.append(state.displacement[model.mesh.face_nodes("LID"), 2].mean())
+    assert heights[1] == pytest.approx(heights[0], rel=0.01)  # two bricks have two mean stresses where they meet

@@ -213,7 +213,7 @@ def test_cells_of_second_order(tmp_path):
     [
         ({"material": of_type("Holmes-Mow", "<E>1</E>")}, ("<material", "Holmes-Mow")),
         ({"material": SOFT.replace("<k>5</k>", '<k lc="1">5</k>')}, ("<k>",)),
-        ({"control": "<analysis>DYNAMIC</analysis>"}, ("<Control>", "DYNAMIC")),
+        ({"control": "<analysis>TRANSIENT</analysis>"}, ("<Control>", "TRANSIENT", "DYNAMIC")),
         ({"curve": "<extend>REPEAT</extend><points><pt>0,0</pt><pt>0.5,1</pt></points>"}, ("surface_load",)),
         (
             {"curve": "<interpolate>STEP</interpolate><points><pt>0,0</pt><pt>0.5,1</pt><pt>1,2</pt></points>"},

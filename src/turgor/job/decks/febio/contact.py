@@ -38,6 +38,10 @@ def contact_rows(state: Prescribed, contact: Element) -> Iterator[Keyword]:
     if contact.number("tension", 0.0):
         yield contact.missing("contact that may pull has no form here.")
         return
+    hard = state.mesh.nodes_in(state.mesh.obstacles)
+    first = state.mesh.facet_rows(contact, state.mesh.pairs[pair][0])
+    if all(node in hard for facet in first for node in facet):
+        names.reverse()  # a deck names the rigid one last
     yield contact.keyword("surface interaction", [], {"name": pair})
     yield contact.keyword("friction", [repr(contact.number("fric_coeff", 0.0))])
     yield contact.keyword("contact pair", [", ".join(names)], {"interaction": pair})

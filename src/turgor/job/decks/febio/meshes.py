@@ -50,6 +50,10 @@ class FebMesh:
         Two surfaces that touch or are tied.
     cell_sets : dict of str to list of int
         Numbers of cells.
+    backs, middles : dict of int to int
+        Nodes behind those of shells that have become solid cells, and the nodes between by those behind.
+    obstacles : dict of str to (int, int)
+        Rigid parts that others touch, with the nodes that state their shifts and turns.
     """
 
     points: dict[int, tuple[float, ...]] = field(default_factory=dict)
@@ -61,6 +65,13 @@ class FebMesh:
     owners: dict[str, Element] = field(default_factory=dict)
     pairs: dict[str, tuple[str, str]] = field(default_factory=dict)
     cell_sets: dict[str, list[int]] = field(default_factory=dict)
+    backs: dict[int, int] = field(default_factory=dict)
+    middles: dict[int, int] = field(default_factory=dict)
+    obstacles: dict[str, tuple[int, int]] = field(default_factory=dict)
+
+    def nodes_in(self, parts: Iterable[str]) -> set[int]:
+        """Nodes of the cells of some parts."""
+        return {node for part in parts for nodes in self.parts[part].values() for node in nodes}
 
     def nodes_of(self, user: Element, name: str) -> list[int]:
         """Nodes of a set that an element names, or of a surface or part behind a sign such as ``@surface:``."""

@@ -14,8 +14,8 @@ from turgor.job.decks.febio.meshes import FebMesh
 #: Degrees of freedom by the letters of FEBio.
 DIRECTIONS = {"x": 1, "y": 2, "z": 3}
 
-#: Those of shells and of rotations, which nodes of solids lack.
-OTHERS = ("u", "v", "w", "sx", "sy", "sz")
+#: Those of the back faces of shells.
+BACK = ("sx", "sy", "sz")
 
 Rows = Iterator[Keyword]
 
@@ -121,29 +121,37 @@ def _fixed(state: Prescribed, bc: Element) -> list[Keyword]:
     """``<x_dof>1</x_dof>`` of FEBio 4, ``<dofs>x,y</dofs>`` of FEBio 3, or ``bc="x,y"`` of FEBio 2."""
     words = (bc.given.get("bc") or bc.word("dofs")).replace(" ", "").split(",")
     words += [each.tag.removesuffix("_dof") for each in bc.children if each.tag.endswith("_dof") and _on(each)]
-    freedoms = [DIRECTIONS[word] for word in words if word in DIRECTIONS]
     nodes = state.mesh.nodes_of(bc, bc.given.get("node_set", ""))
-    if not freedoms:
+    lines = [f"{node}, {freedom}" for word in words for node, freedom in _places(state, nodes, word)]
+    if not lines:
         return [bc.unneeded("it fixes nothing that nodes of solids have")]
-    return [bc.keyword("boundary", [f"{node}, {freedom}" for freedom in freedoms for node in nodes])]
+    return [bc.keyword("boundary", lines)]
+
+
+def _places(state: Prescribed, nodes: list[int], word: str) -> list[tuple[int, int]]:
+    """Nodes and degrees of freedom that FEBio calls by a word; ``sx`` is that of the back of a shell."""
+    if word in DIRECTIONS:
+        return [(node, DIRECTIONS[word]) for node in nodes]
+    backs = [state.mesh.backs[node] for node in nodes if node in state.mesh.backs]
+    return [(node, DIRECTIONS[word[1]]) for node in backs] if word in BACK else []
 
 
 def _shell_fixed(state: Prescribed, bc: Element) -> list[Keyword]:
     if state.sheets:
-        raise TurgorError("degrees of freedom of shells have no form here.")
-    return [bc.unneeded("there are no shells")]
+        raise TurgorError("degrees of freedom of shells on solids have no form here.")
+    return _fixed(state, bc)
 
 
 def _moved(state: Prescribed, bc: Element) -> list[Keyword]:
     word = bc.given.get("bc") or bc.word("dof")
     value = bc.first("value", "scale")
-    if word not in DIRECTIONS:
+    places = _places(state, state.mesh.nodes_of(bc, bc.given.get("node_set", "")), word)
+    if not places:
         raise TurgorError(f"the degree of freedom '{word}' has no form here; x, y and z have one.")
     if value is None:
         bc.fail("it has no <value>.")
     factor, name, rows = state.amplitude(value, starts=False)
-    nodes = state.mesh.nodes_of(bc, bc.given.get("node_set", ""))
-    lines = [f"{node}, {DIRECTIONS[word]}, {DIRECTIONS[word]}, {factor!r}" for node in nodes]
+    lines = [f"{node}, {freedom}, {freedom}, {factor!r}" for node, freedom in places]
     if not factor:
         return [bc.keyword("boundary", lines)]
     return [*rows, bc.keyword("boundary", lines, {"amplitude": name})]
@@ -277,6 +285,7 @@ _SUPPORTS: Mapping[str, Callable[[Prescribed, Element], list[Keyword]]] = {
     "prescribed displacement": _moved,
     "prescribe": _moved,
     "rigid": _rigid,
+    "prescribed shell displacement": _moved,
     "zero shell displacement": _shell_fixed,
     "zero rotation": _shell_fixed,
 }

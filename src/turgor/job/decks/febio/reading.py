@@ -11,7 +11,8 @@ from turgor.job.decks.febio.elements import Element, read_elements
 from turgor.job.decks.febio.materials import RIGID, material_rows
 from turgor.job.decks.febio.meshes import CELLS, FebMesh, read_mesh
 from turgor.job.decks.febio.prescribed import Prescribed, boundary_rows, load_rows
-from turgor.job.decks.febio.rigid import rigid_rows
+from turgor.job.decks.febio.rigid import name_obstacles, rigid_rows
+from turgor.job.decks.febio.thick_shells import stated_thickness, thicken_shells
 
 #: Units of FEBio as those of a deck.
 UNITS = {"SI": "m, N, Pa", "mm-N-s": "mm, N, MPa", "mm-kg-s": "mm, mN, kPa"}
@@ -50,15 +51,20 @@ def keywords_of_febio(path: Path) -> list[Keyword]:
         module.fail("only models of solids are read.")
     mesh, rows = read_mesh(root)
     materials = [each for section in root.all("Material") for each in section.all("material")]
-    sections, rigid = _sections(root, mesh, materials)
+    of_parts = _materials_of(root, mesh, materials)
+    rigid = [part for part, (_, material) in of_parts.items() if material.given.get("type") == RIGID]
+    shells = {part: stated_thickness(root, of_parts[part][0], part) for part in mesh.parts if not mesh.solids[part]}
+    thicken_shells(mesh, shells, rigid)
+    name_obstacles(mesh, rigid)
     ends, steps = _steps(root)
-    sides = mesh.sides(rigid)
-    sheets = any(not solid for solid in mesh.solids.values())
+    sides = mesh.sides(part for part in rigid if part not in mesh.obstacles)
+    sheets = any(not solid for part, solid in mesh.solids.items() if part not in rigid)
     state = Prescribed(mesh, curves_of(root), ends[-1][0], ends[0][1], sides, sheets)
     rows += _mesh_rows(root, mesh, rigid)
     weighs = any(True for place in _places(root) for section in place.all("Loads") for _ in section.all("body_load"))
+    weighs = weighs or any(step.name == "dynamic" for step in steps)
     rows += [row for each in materials if each.given.get("type") != RIGID for row in _material(each, weighs)]
-    rows += sections
+    rows += _sections(root, mesh, of_parts)
     supports, loads = _prescribed(root, state, materials, rigid, alone=len(ends) == 1)
     rows += [row for row in supports if row.name != "boundary" or "amplitude" not in row.given]
     moved = [row for row in supports if row.name == "boundary" and "amplitude" in row.given]
@@ -72,48 +78,35 @@ def _material(material: Element, weighs: bool) -> list[Keyword]:
     return material_rows(material, material.given.get("name") or material.given.get("id", ""), weighs=weighs)
 
 
-def _sections(root: Element, mesh: FebMesh, materials: list[Element]) -> tuple[list[Keyword], list[str]]:
-    """Sections of the deformable parts, and the names of the rigid ones."""
+def _materials_of(root: Element, mesh: FebMesh, materials: list[Element]) -> dict[str, tuple[Element, Element]]:
+    """Domain and material of each part."""
     known: dict[str, Element] = {}
     for each in materials:
         for key in filter(None, {each.given.get("name"), each.given.get("id")}):
             known[each.first_of_its_name(known, key)] = each
     domains = {each.given.get("name", ""): each for section in root.all("MeshDomains") for each in section.children}
-    rows, rigid = [], []
+    found = {}
     for part in mesh.parts:
-        owner = mesh.owners[f"part {part}"]
-        domain = domains.get(part, owner)
+        domain = domains.get(part, mesh.owners[f"part {part}"])
         word = domain.given.get("mat", "")
         if word not in known:
             domain.fail(f"there is no material '{word}'{near_match(word, known) or '.'}")
-        material = known[word]
+        found[part] = domain, known[word]
+    return found
+
+
+def _sections(root: Element, mesh: FebMesh, of_parts: dict[str, tuple[Element, Element]]) -> Iterator[Keyword]:
+    """Sections of the deformable parts."""
+    for part, (domain, material) in of_parts.items():
         name = material.given.get("name") or material.given.get("id", "")
+        given = {"elset": _plain(part), "material": name}
         if material.given.get("type") == RIGID:
-            rigid.append(part)
-        elif mesh.solids[part]:
-            rows.append(domain.keyword("solid section", [], {"elset": _plain(part), "material": name}))
+            continue
+        if mesh.solids[part]:
+            yield domain.keyword("solid section", [], given)
         else:
-            rows.append(
-                domain.keyword(
-                    "shell section", _thickness(root, domain, part), {"elset": _plain(part), "material": name}
-                )
-            )
-    return rows, rigid
-
-
-def _thickness(root: Element, domain: Element, part: str) -> list[str]:
-    """Thickness of shells: of the domain, or one for all cells in ``<MeshData>``."""
-    if domain.word("shell_thickness"):
-        return [repr(domain.number("shell_thickness"))]
-    values = {
-        value
-        for section in root.all("MeshData")
-        for data in section.all("ElementData")
-        if "shell thickness" in (data.given.get("type"), data.given.get("var")) and data.given.get("elem_set") == part
-        for each in data.all("e")
-        for value in each.numbers()
-    }
-    return [repr(values.pop())] if len(values) == 1 else []
+            thickness = stated_thickness(root, domain, part)
+            yield domain.keyword("shell section", [repr(thickness)] if thickness else [], given)
 
 
 def _mesh_rows(root: Element, mesh: FebMesh, rigid: list[str]) -> Iterator[Keyword]:
@@ -122,7 +115,7 @@ def _mesh_rows(root: Element, mesh: FebMesh, rigid: list[str]) -> Iterator[Keywo
     yield nodes.keyword("node", [f"{i}, " + ", ".join(map(repr, xyz)) for i, xyz in mesh.points.items()])
     for part, cells in mesh.parts.items():
         owner = mesh.owners[f"part {part}"]
-        if part in rigid:
+        if part in rigid and part not in mesh.obstacles:
             yield owner.unneeded("cells of a rigid body")
             continue
         kind = CELLS[owner.given["type"]][0]
@@ -130,7 +123,7 @@ def _mesh_rows(root: Element, mesh: FebMesh, rigid: list[str]) -> Iterator[Keywo
         yield owner.keyword("element", lines, {"type": kind, "elset": _plain(part)})
     solid = [part for part in mesh.parts if part not in rigid and mesh.solids[part]]
     yield section.keyword("elset", [_plain(part) for part in solid], {"elset": "FEBIO_ALL"})
-    deformable = {node for part in solid for nodes in mesh.parts[part].values() for node in nodes}
+    deformable = mesh.nodes_in(solid)
     for name, members in mesh.node_sets.items():
         inside = [str(node) for node in members if node in deformable]
         if inside and len(inside) < len(mesh.points) and not name.isdigit():
@@ -170,8 +163,10 @@ def _steps(root: Element) -> tuple[list[tuple[float, float]], list[Keyword]]:
 
 def _begin(control: Element, size: float, period: float) -> Keyword:
     kind = control.word("analysis", "STATIC") or (control.first("analysis") or control).given.get("type", "STATIC")
+    if kind.upper() in ("DYNAMIC", "1"):
+        return control.keyword("dynamic", [f"{size!r}, {period!r}"])
     if kind.upper() not in ("STATIC", "STEADY-STATE", "0"):
-        return control.missing(f"an analysis of the type {kind} has no form here; STATIC has one.")
+        return control.missing(f"an analysis of the type {kind} has no form here; STATIC and DYNAMIC have one.")
     return control.keyword("static", [f"{size!r}, {period!r}"])
 
 
@@ -180,7 +175,8 @@ def _step_rows(begin: Keyword, loads: list[Keyword], *, visco: bool) -> Iterator
         yield begin
         return
     yield Keyword("step", {"nlgeom": ""}, begin.path, begin.line, [], begin.label)
-    yield Keyword("visco", {}, begin.path, begin.line, begin.lines, begin.label) if visco else begin
+    relaxes = visco and begin.name == "static"
+    yield Keyword("visco", {}, begin.path, begin.line, begin.lines, begin.label) if relaxes else begin
     yield from loads
     yield Keyword("end step", {}, begin.path, begin.line, [], begin.label)
 
@@ -216,7 +212,7 @@ def _prescribed(
 def _rigid_rows(root: Element, state: Prescribed, materials: list[Element], rigid: list[str]) -> Iterator[Keyword]:
     """Keywords of the rigid bodies."""
     mesh = state.mesh
-    deformable = {n for part in mesh.parts if part not in rigid for nodes in mesh.parts[part].values() for n in nodes}
+    deformable = mesh.nodes_in(part for part in mesh.parts if part not in rigid)
     tied = [
         bc
         for place in _places(root)
@@ -229,12 +225,14 @@ def _rigid_rows(root: Element, state: Prescribed, materials: list[Element], rigi
     for body in (each for each in materials if each.given.get("type") == RIGID):
         names = {body.given.get("name"), body.given.get("id")} - {None}
         parts = [part for part in rigid if domains.get(part, mesh.owners[f"part {part}"]).given.get("mat") in names]
-        nodes = {n for part in parts for row in mesh.parts[part].values() for n in row}
+        nodes = mesh.nodes_in(parts)
         for bc in tied:
             if bc.word("rb") in names:
                 nodes |= set(mesh.nodes_of(bc, bc.given.get("node_set", "")))
+        nodes |= {mesh.backs[node] for node in nodes & set(mesh.backs)}
         own = [rule for rule in rules if rule.word("rb") in names]
-        yield from rigid_rows(state, body, sorted(nodes & deformable), own)
+        obstacles = [part for part in parts if part in mesh.obstacles]
+        yield from rigid_rows(state, body, sorted(nodes & deformable), own, obstacles)
     known = {name for each in materials for name in (each.given.get("name"), each.given.get("id"))}
     yield from (rule.missing("it has no form here.") for rule in rules if rule.word("rb") not in known)
 

@@ -1,4 +1,4 @@
-"""Linear equations of a deck: ``*EQUATION``."""
+"""Linear equations of a deck: ``*EQUATION``, and ``*MPC`` where that is linear."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -14,6 +14,7 @@ from turgor.foundation.round_off import ROUND_OFF
 from turgor.job.decks.account import Account
 from turgor.job.decks.deck import words_of
 from turgor.job.decks.directions import NodeAxes
+from turgor.job.decks.motions.multi_point import equations_of_mpc
 from turgor.job.decks.names import MeshNames
 from turgor.job.decks.steps import Path
 from turgor.job.decks.tracks import FORCE, SHIFT
@@ -51,10 +52,11 @@ def equations_of(path: Path, names: MeshNames, axes: NodeAxes, account: Account)
     """
     alike: dict[tuple[Vector, ...], _Rows] = {}
     for keyword in path.deck.model:
-        if keyword.name != "equation":
+        if keyword.name not in ("equation", "mpc"):
             continue
         try:
-            every = [_terms(path, axes, each) for each in _stated(keyword)]
+            stated = _stated(keyword) if keyword.name == "equation" else equations_of_mpc(path.deck, keyword)
+            every = [_terms(path, axes, each) for each in stated]
             for terms in every:
                 vectors = tuple(vector for _, vector in terms)
                 alike.setdefault(vectors, _Rows(vectors)).nodes.append(tuple(node for node, _ in terms))
@@ -63,7 +65,7 @@ def equations_of(path: Path, names: MeshNames, axes: NodeAxes, account: Account)
             account.missing(keyword, str(error))
     groups = [group for rows in alike.values() for group in _groups(names, rows)]
     if len(groups) > MOST_EQUATIONS:
-        first = next(each for each in path.deck.model if each.name == "equation")
+        first = next(each for each in path.deck.model if each.name in ("equation", "mpc"))
         account.missing(first, f"{len(groups)} equations of single nodes; {MOST_EQUATIONS} are the most.")
         groups = []
     return tuple(_equation(names, number, group) for number, group in enumerate(groups, start=1))
