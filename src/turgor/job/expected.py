@@ -7,6 +7,7 @@ from time import process_time
 
 import numpy as np
 
+from turgor.core.engine.runtime import FEW_UNKNOWNS
 from turgor.core.meshing.cells import TETRAHEDRON
 from turgor.core.meshing.sizing.default_size import default_size
 from turgor.core.meshing.sizing.settings import QUALITIES
@@ -16,7 +17,6 @@ from turgor.core.model.model import Model
 from turgor.core.solvers.procedures.procedure import Procedure
 from turgor.core.solvers.row_guide import shorter_row
 from turgor.core.solvers.solution import Solution
-from turgor.core.solvers.solve import FEW_UNKNOWNS
 from turgor.foundation.store.cached_values import Cache
 from turgor.job.job import MESHED, Job
 from turgor.job.output.identity import IGNORED, digest

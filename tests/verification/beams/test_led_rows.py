@@ -12,6 +12,7 @@ import pytest
 
 import turgor as tg
 from turgor.core.engine.algebra.tangent import Tangent
+from turgor.core.engine.cells.element import element_of
 from turgor.core.engine.system import System
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.meshing.sweeping.section import Fineness
@@ -94,6 +95,31 @@ def test_parts_that_do_not_follow_one_motion_do_not_fit(finger: tg.Model) -> Non
     bulged = moved.displacement.copy()
     bulged[shorter.ends[1][0]] += 0.1 * mm
     assert not placed.fits(replace(moved, displacement=bulged))
+
+
+def test_states_of_the_short_row_take_the_places_of_the_same_nodes(finger: tg.Model) -> None:
+    """A rigid motion is that of the whole row, and mean stresses stay at their corners of a section."""
+    shorter = shorter_row(finger, tg.Static())
+    assert shorter is not None
+    short, whole = replace(finger, mesh=shorter.mesh), finger.mesh
+    turn = np.array([[0.8, 0.0, -0.6], [0.0, 1.0, 0.0], [0.6, 0.0, 0.8]])
+
+    def across(mesh: tg.Mesh, numbers: np.ndarray, count: int) -> np.ndarray:
+        values = np.zeros(count)
+        corners = mesh.points[mesh.cells[:, : numbers.shape[1]]]
+        values[numbers] = corners[..., 1] + 2 * corners[..., 2]
+        return values
+
+    elements = element_of(short), element_of(finger)
+    stress, expected = (across(m, e.mean, e.mean_count) for m, e in zip((shorter.mesh, whole), elements, strict=True))
+    points = shorter.mesh.points
+    state = tg.solutions.State(
+        model=short, load_factor=1.0, displacement=points @ turn.T - points, mean_stress=stress, nodal_force=points
+    )
+    system = System(finger)
+    displacement, mean_stress = system.physical(row_guide._Placed.of(shorter, finger, short).unknowns(system, state))
+    assert np.abs(whole.points + displacement - whole.points @ turn.T).max() < 1e-9
+    assert np.abs(mean_stress - expected).max() < 1e-9
 
 
 def test_guide_of_a_row_leads_from_state_to_state_until_one_fails() -> None:

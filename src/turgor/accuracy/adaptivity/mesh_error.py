@@ -127,9 +127,11 @@ def find_again(
     shares = np.mean([error_indicator(solution.states[number]) for number in chosen[:2]], axis=0)
     paired = _on_second_mesh(solution, chosen, refined(solution.model.mesh, shares, growth), options, linear)
     if not paired.pairs:
-        every = _chosen(solution, len(MESH_ERROR.places))
-        coarser = refined(solution.model.mesh, shares, _least_growth(solution))
-        paired = _on_second_mesh(solution, every, coarser, options, linear, enough=1)
+        least = _least_growth(solution)
+        failed = chosen if growth <= least else []  # on the same mesh they would fail again
+        others = [number for number in _chosen(solution, len(MESH_ERROR.places)) if number not in failed]
+        coarser = refined(solution.model.mesh, shares, least)
+        paired = _on_second_mesh(solution, others, coarser, options, linear, enough=1)
     return replace(paired, seconds=perf_counter() - began)
 
 

@@ -15,10 +15,9 @@ from turgor.accuracy.gradients.moved_mesh import on_moved_mesh
 from turgor.accuracy.gradients.result import Gradient, numbers_in
 from turgor.accuracy.gradients.systems import Systems
 from turgor.accuracy.gradients.variation import Variation
-from turgor.core.engine.runtime import EngineOptions, use_threads
+from turgor.core.engine.runtime import FEW_UNKNOWNS, EngineOptions, use_threads
 from turgor.core.results.measures.measure import Measure
 from turgor.core.solvers.solution import Solution
-from turgor.core.solvers.solve import FEW_UNKNOWNS
 from turgor.foundation.response import Column
 
 

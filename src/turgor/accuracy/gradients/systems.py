@@ -5,10 +5,9 @@ from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 from turgor.core.engine.algebra.tangent import Tangent
-from turgor.core.engine.runtime import EngineOptions
+from turgor.core.engine.runtime import FEW_UNKNOWNS, EngineOptions
 from turgor.core.engine.system import System
 from turgor.core.model.model import Model
-from turgor.core.solvers.solve import FEW_UNKNOWNS
 
 #: What equations belong to: a model, and what is requested of it.
 Key = tuple[int, object]

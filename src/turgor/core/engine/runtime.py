@@ -14,6 +14,9 @@ from turgor.foundation.processors import processors
 #: extrapolation and kept factors too, which is the textbook.
 MIXED, NEWTON, PLAIN = "mixed", "newton", "plain"
 
+#: Below this size threads wait for each other longer than they work, and a shorter row does not pay for itself.
+FEW_UNKNOWNS = 10_000
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EngineOptions:

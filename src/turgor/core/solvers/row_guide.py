@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.algebra.linear import SingularTangentError
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.engine.cells.element import Element, element_of
-from turgor.core.engine.runtime import MIXED, EngineOptions
+from turgor.core.engine.runtime import FEW_UNKNOWNS, MIXED, EngineOptions
 from turgor.core.engine.system import System
 from turgor.core.meshing.bodies.short_row import ShortRow, short_row
 from turgor.core.meshing.mesh import Mesh
@@ -42,8 +42,6 @@ class RowGuideSettings:
 
     Parameters
     ----------
-    fewest : int
-        Unknowns of the row from which on a shorter one is solved first.
     most_loads : int
         Requested load factors at most: with more, the steps between them are short without a guide.
     meeting : float
@@ -54,7 +52,6 @@ class RowGuideSettings:
         equal: 2e-4 in the demo; with 1e-2 the guide fails where walls touch.
     """
 
-    fewest: int = 10_000
     most_loads: int = 8
     meeting: float = 0.5
     misfit: float = 2e-3
@@ -124,7 +121,7 @@ def shorter_row(model: Model, procedure: Procedure) -> ShortRow | None:
     mesh = model.mesh
     pressed = len(pressures_among(model.loads)) == len(model.loads) and not kinks(model)
     alone = not (model.contact.obstacles or model.points or model.reinforcements or mesh.node_sets)
-    large = mesh.unknown_count >= ROW_GUIDE.fewest and model.contact.for_mesh(mesh) is not None
+    large = mesh.unknown_count >= FEW_UNKNOWNS and model.contact.for_mesh(mesh) is not None
     smooth = not model.sheets_wrinkle  # where sheets wrinkle, steps follow their lines
     if not (pressed and alone and large and smooth) or procedure.remesh or unguided(model, procedure):
         return None
@@ -144,7 +141,7 @@ def _loads(procedure: Any) -> tuple[float, ...]:
 def _path(placed: "_Placed", procedure: Any, tangent: Tangent, options: EngineOptions) -> list[State]:
     """States of the shorter row at the requested loads, as far as it gets; none where its walls stay apart."""
     system = System(placed.short)
-    threads = options.threads if system.size >= ROW_GUIDE.fewest else 1
+    threads = options.threads if placed.short.mesh.unknown_count >= FEW_UNKNOWNS else 1
     solver = Tangent(system, options.linear_solver, threads, options.iteration)
     solver.clock = tangent.clock
     if not _walls_meet(system, solver):

@@ -8,7 +8,7 @@ from pathlib import Path
 from time import perf_counter
 
 from turgor.core.engine.algebra.tangent import Tangent
-from turgor.core.engine.runtime import EngineOptions, use_threads
+from turgor.core.engine.runtime import FEW_UNKNOWNS, EngineOptions, use_threads
 from turgor.core.engine.system import System
 from turgor.core.engine.warmup.compiling import compile_kernels
 from turgor.core.engine.warmup.needs import Needs
@@ -38,9 +38,6 @@ from turgor.core.solvers.solution import Solution, SolveError, State, Status, Ti
 from turgor.core.solvers.stage_sequence import Follow, solve_stages
 from turgor.foundation.finding import by_weight, show_warning
 from turgor.foundation.given import one
-
-#: Below this size threads wait for each other longer than they work.
-FEW_UNKNOWNS = 10_000
 
 Stop = Callable[[State], str | None]
 

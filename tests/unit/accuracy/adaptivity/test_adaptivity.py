@@ -8,8 +8,10 @@ import pytest
 
 import turgor as tg
 from refused import refused
+from turgor.accuracy.adaptivity import mesh_error
 from turgor.accuracy.adaptivity.findings import mesh_error_findings
 from turgor.accuracy.adaptivity.mesh_error import find_again, path_length
+from turgor.accuracy.adaptivity.second_mesh import SecondMesh
 from turgor.accuracy.measure import mesh_error_of
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.core.meshing.quality.proximity import find_facing_walls
@@ -96,6 +98,19 @@ def test_walls_that_may_meet_are_those_of_the_first_mesh(bent, monkeypatch):
     paired = find_again(bent, tg.EngineOptions(threads=1))
     assert may_meet(paired.pairs[max(paired.pairs)].model.mesh)
     assert all(mesh is bent.model.mesh for mesh in searched)
+
+
+@pytest.mark.parametrize(("growth", "again"), [(0.0, 0), (1.0, 1)])
+def test_state_that_failed_is_tried_again_on_a_coarser_mesh_alone(bent, monkeypatch, growth, again):
+    tried = []
+    least = mesh_error._least_growth(bent)
+    monkeypatch.setattr(mesh_error, "plan", lambda solution, refined_before: (1, least + growth))
+    monkeypatch.setattr(SecondMesh, "solved_again", lambda mesh, state, *how, **linear: tried.append(state.load_factor))
+    find_again.cache_clear()
+    assert not find_again(bent, tg.EngineOptions(threads=1)).pairs
+    find_again.cache_clear()
+    assert tried.count(1.0) == 1 + again
+    assert len(set(tried)) == 3
 
 
 def test_every_measure_of_every_state_has_its_mesh_error(bent):

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from turgor.core.engine.cells.reference import reference_nodes
 from turgor.core.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.core.meshing.bodies.short_row import ShortRow, short_row
 from turgor.core.meshing.mesh import Mesh
@@ -63,3 +64,14 @@ def test_few_chambers_and_a_cell_that_differs_make_no_row(long: Mesh):
     bent = long.points.copy()
     bent[long.cells[len(long.cells) // 2, 0]] += 1e-5
     assert short_row(replace(long, points=bent)) is None
+
+
+def test_cell_with_other_order_of_nodes_is_not_that_of_the_next_part(long: Mesh, short: ShortRow):
+    """Half a turn about its third direction leaves the shape and changes the order."""
+    here = reference_nodes(27)
+    turned = here * [-1, -1, 1] + [1, 1, 0]
+    order = np.argmin(np.abs(turned[:, None] - here[None]).sum(axis=2), axis=1)
+    number = int(np.flatnonzero(short.turns == 1)[0])
+    cells = long.cells.copy()
+    cells[number] = cells[number][order]
+    assert short_row(replace(long, cells=cells)) is None
