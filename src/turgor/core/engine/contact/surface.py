@@ -170,7 +170,8 @@ class Rims:
     """Sharp convex edges of sides.
 
     A sharp rim that slides over the points of a surface would drop, or take up, one row of them after the other, and
-    the force would jump each time. Instead it passes each point within a band, in which the pressure of the point fades.
+    the force would jump each time. Instead it passes each point within a band, in which the pressure of the point
+    fades.
 
     Parameters
     ----------
