@@ -4,8 +4,10 @@ Problem 1: a plate of triangles, pressed 0.1 mm into a block of 10 mm, moves 20 
 passes the whole block. Exact: tangential over normal force is µ while it slides, and zero force at the end. Tolerance:
 1 %. Iterations: 29 seen, 2,980 while points lost their contact suddenly as the rim passed them; at most 90.
 
-Problem 2: a block slides 20 mm under another one, longer than itself, with µ = 0.2. Tolerance: 8 % (7 % seen), because
-points that come in over the rim begin to rub a step later. Iterations: 285 seen, at most 600.
+Problem 2: a block slides 20 mm under another one, longer than itself, with µ = 0.2 and with µ = 0.5 and 50 kPa, where
+it stopped at 7 mm. Both have sharp edges, and cells of 3.3 and 4 mm. Tolerance of the mean: 2 %, as the edge
+that leads digs in, and the surface there is no longer level; of all states: 7 %. Iterations: 241 and 502 seen
+(285 and none while points of the longer block came in over the rim with all of their pressure), at most 400 and 600.
 """
 
 import numpy as np
@@ -48,9 +50,9 @@ def test_rim_of_triangles_slides_off_a_block(record_verification):
     assert solution.iterations < 90
 
 
-@pytest.mark.slow
-def test_block_slides_on_a_longer_one(record_verification):
-    friction = 0.2
+@pytest.mark.slow  # 30 s
+@pytest.mark.parametrize(("friction", "mean", "each", "most"), [(0.2, 0.02, 0.07, 400), (0.5, 0.02, 0.07, 600)])
+def test_block_slides_on_a_longer_one(friction, mean, each, most, record_verification):
     lower = contact_cases.block((3, 3, 1), (10, 10, 3))
     upper = contact_meshes.moved(contact_cases.block((10, 4, 1), (40, 16, 3)), (-27 * MM, -3 * MM, 3 * MM))
     down = tg.supports.Shift((0, 0, -2 * DOWN), [(0, 0), (PRESSED, 1), (1, 1)])
@@ -61,11 +63,12 @@ def test_block_slides_on_a_longer_one(record_verification):
     solution = problems.solve(tg.Model(mesh, materials, [tg.Fixed("lower_z0"), *moves], [], contact=contact), STEPS)
     ratios = _ratios(solution, "lower_z0")
     record_verification(
-        claim="block that slides 20 mm under a longer one, µ = 0.2: tangential over normal force, least and most",
+        claim=f"block that slides 20 mm under a longer one, µ = {friction}: mean tangential over normal force",
         source="Coulomb's law, exact",
         expected=friction,
-        got=[min(ratios), max(ratios)],
-        tolerance="8 %",
+        got=float(np.mean(ratios)),
+        tolerance=f"{100 * mean:.0f} %",
     )
-    assert ratios == pytest.approx([friction] * len(ratios), rel=0.08)
-    assert solution.iterations < 600
+    assert np.mean(ratios) == pytest.approx(friction, rel=mean)
+    assert ratios == pytest.approx([friction] * len(ratios), rel=each)
+    assert solution.iterations < most

@@ -12,6 +12,7 @@ from turgor.core.engine.runtime import FEW_UNKNOWNS, EngineOptions, use_threads
 from turgor.core.engine.system import System
 from turgor.core.engine.warmup.compiling import compile_kernels
 from turgor.core.engine.warmup.needs import Needs
+from turgor.core.meshing.refining.serendipity import with_middles
 from turgor.core.model.continued_model import at_start
 from turgor.core.model.model import Model
 from turgor.core.solvers.checkpoints.record import Question, RunRecord
@@ -204,6 +205,8 @@ def _from_start(
     restart: Restart | None,
 ) -> tuple[Solution, Restart]:
     """Follow one procedure as `_solved` does, after an equilibrium of the loads that are there from the start."""
+    if procedure.remesh:
+        model = replace(model, mesh=with_middles(model.mesh))
     flies = procedure.may_be_free(model) and free_motions(model)  # without any equilibrium to begin with
     before = at_start(model) if restart is None and not flies else None
     follow: Follow = partial(_solved, question, record)

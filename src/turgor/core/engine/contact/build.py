@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from turgor.core.engine.contact.closest import centers_of
 from turgor.core.engine.contact.films import film_exceptions
 from turgor.core.engine.contact.pair_part import PairPart, Partners, Rigid
-from turgor.core.engine.contact.rigid_triangles import refined, rims, six_nodes
+from turgor.core.engine.contact.rigid_triangles import refined, six_nodes
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
 from turgor.core.engine.contact.shape_part import ShapePart
-from turgor.core.engine.contact.surface import Surface, listed, neighbors, of_face, overhangs, strangers
+from turgor.core.engine.contact.surface import Surface, listed, neighbors, of_face, overhangs, rims, strangers
 from turgor.core.engine.ties import tied_sides
 from turgor.core.meshing.mesh import Mesh
 from turgor.core.meshing.surface import corner_keys
@@ -214,6 +214,7 @@ def _pairs(model: Model, surface: Surface, points: Array, like: Sequence[PairPar
         strangers=film_exceptions(mesh, surface, points) if films else strangers(points, sides),
         around=_around(surface.layers, surface.corners),
         reach=reach,
+        rims=rims(points, sides, borders=False) if friction and not films else None,
         open=surface.outward,
     )
     return PairPart(SELF, surface, _settled(surface, partners, points), friction, 0.5)
@@ -285,6 +286,7 @@ def _triangles(
         strangers=nothing,
         around=_around((sides,), 3),
         reach=CONTACT_SEARCH.reach * size,
-        rigid=Rigid(obstacle, nodes, unknown, rims(nodes, sides)),
+        rigid=Rigid(obstacle, nodes, unknown),
+        rims=rims(nodes, sides, borders=True),
     )
     return PairPart(obstacle.name, surface, partners, obstacle.friction, 1.0)

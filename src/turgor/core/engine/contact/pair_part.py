@@ -5,15 +5,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.core.engine.cells.reference import side_tables
 from turgor.core.engine.contact import pairs
 from turgor.core.engine.contact.closest import centers_of, points_of
 from turgor.core.engine.contact.friction import FrictionHistory
 from turgor.core.engine.contact.part import Gaps, SearchMode, Ties, dofs, groups, nodal
 from turgor.core.engine.contact.points_part import PointsPart, Rubbing
-from turgor.core.engine.contact.rigid_triangles import Rims
 from turgor.core.engine.contact.search import Grid, find_partners, follow_partners
 from turgor.core.engine.contact.settings import CONTACT_SEARCH
-from turgor.core.engine.contact.surface import Surface
+from turgor.core.engine.contact.surface import Rims, Surface
 from turgor.core.model.obstacles import Obstacle
 from turgor.core.model.obstacles.pose import Pose
 
@@ -32,14 +32,11 @@ class Rigid:
         Scaled positions at first.
     unknown : int
         First of its three unknowns where a spring holds it, −1 otherwise.
-    rims : Rims
-        Its sharp edges.
     """
 
     obstacle: Obstacle
     points: Array
     unknown: int
-    rims: Rims
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -63,6 +60,8 @@ class Partners:
     reach : float
         How far apart two sides still see each other.
     rigid : Rigid or None
+    rims : Rims, optional
+        Sharp edges that fade the points that they pass; None for films, and without friction.
     open : (t,) bool array, optional
         Sides that touch all other open ones but strangers: all of solids, those of films that look out of a cavity.
     """
@@ -75,6 +74,7 @@ class Partners:
     around: tuple[Ints, Ints]
     reach: float
     rigid: Rigid | None = None
+    rims: Rims | None = None
     open: NDArray[np.bool_] | None = None
 
 
@@ -96,10 +96,18 @@ class PairPart(PointsPart):
     def __init__(self, name: str, surface: Surface, partners: Partners, coefficient: float, share: float) -> None:
         super().__init__(name, surface, coefficient, share)
         self.partners = partners
-        self._band = CONTACT_SEARCH.rim * np.sqrt(surface.weights.sum(axis=1))
-        self._beyond = partners.overhang
-        if partners.rigid is not None:  # points have a partner until its rim has passed them
-            self._beyond = np.maximum(self._beyond, partners.rigid.rims.beyond(self._band.max(initial=0.0)))
+        self._beyond, lengths = partners.overhang, np.sqrt(surface.weights.sum(axis=1))[:, None]
+        if partners.rigid is None:
+            self._band = CONTACT_SEARCH.inner_rim * np.broadcast_to(lengths, surface.weights.shape)
+            if partners.rims is not None:  # what is nearer to its own rim presses
+                own = np.repeat(np.arange(len(surface.sides)), surface.weights.shape[1])
+                places = np.tile(side_tables(surface.sides.shape[1]).points, (len(surface.sides), 1))
+                within, _ = partners.rims.within(own, places)
+                self._band = np.minimum(self._band, within.reshape(surface.weights.shape))
+        else:
+            self._band = CONTACT_SEARCH.rim * np.broadcast_to(lengths, surface.weights.shape)
+        if partners.rigid is not None and partners.rims is not None:  # points have a partner until its rim has passed
+            self._beyond = np.maximum(self._beyond, partners.rims.beyond(float(self._band.max(initial=0.0))))
 
     @property
     def rigid(self) -> Rigid | None:
@@ -145,20 +153,24 @@ class PairPart(PointsPart):
         return Gaps(x, normal, growth, partner, at, gap, pose, self._covered(partner, at, gap))
 
     def _covered(self, partner: Ints, at: Array, gap: Array) -> Array:
-        """Share (s, q) of points that a rigid body covers: less than 1 where a sharp rim passes them."""
+        """Share (s, q) of points that their partners cover: less than 1 where a sharp rim passes them."""
         out = np.ones(gap.shape)
         near = np.argwhere(gap < 0)
-        if self.rigid is not None and len(near):
+        if self.partners.rims is not None and len(near):
             i, q = near.T
-            out[i, q], _ = self.rigid.rims.covered(partner[i, q], at[i, q], self._band[i])
+            out[i, q], _ = self.partners.rims.covered(partner[i, q], at[i, q], self._band[i, q], self.rigid is not None)
         return out
 
-    def _fading(self, points: Ints, gaps: Gaps) -> Array:
-        """Gradients (k, 3) in space of the shares of points that are covered."""
-        if self.rigid is None:
-            return np.zeros((len(points), 3))
+    def _fading(self, position: Array, points: Ints, gaps: Gaps) -> Array:
+        """Derivatives (k, m) of the shares of points that are covered, by the nodes of both sides."""
         i, q = points.T
-        return gaps.pose.turned(self.rigid.rims.covered(self._partners(gaps, points), gaps.at[i, q], self._band[i])[1])
+        partner, at, sides = self._partners(gaps, points), gaps.at[i, q], (self.surface.sides, self.partners.sides)
+        if self.partners.rims is None:
+            return np.zeros((len(points), 3 * (sides[0].shape[1] + sides[1].shape[1])))
+        _, change = self.partners.rims.covered(partner, at, self._band[i, q], self.rigid is not None)
+        points = np.ascontiguousarray(points)
+        feet = pairs.foot_changes(self._all(position, gaps.pose), sides, self.surface.N, points, partner, at)
+        return np.asarray(np.einsum("km,kmj->kj", change, feet))
 
     def _search(self, x: Array, normal: Array, position: Array, every: Array) -> tuple[Ints, Array, Array]:
         """Search the whole surface: partner, place and gap of every point."""
@@ -213,7 +225,7 @@ class PairPart(PointsPart):
 
     def fading(self, position: Array, gaps: Gaps) -> Rubbing | None:
         """How the pressure changes as a rim passes points: a matrix of rank one for each of them."""
-        gradient = self._fading(gaps.touching, gaps)
+        gradient = self._fading(position, gaps.touching, gaps)
         chosen = gradient.any(axis=1)
         if not chosen.any():
             return None
@@ -222,16 +234,13 @@ class PairPart(PointsPart):
         force = (self._whole(points, gaps) * gaps.gap[i, q] * self._weights(points))[:, None]
         force = force * self._normals(position, gaps, points)
         unknowns = self.tied_unknowns(self._key(i, gaps.partner[i, q]))
-        pull, change = (
-            (self._shares(points, gaps.at[i, q])[:, :, None] * each[:, None, :]).reshape(len(points), -1)
-            for each in (force, gradient)
-        )
-        return Rubbing(unknowns, pull, unknowns, change)
+        pull = (self._shares(points, gaps.at[i, q])[:, :, None] * force[:, None, :]).reshape(len(points), -1)
+        return Rubbing(unknowns, pull, unknowns, gradient)
 
     def _limit_change(self, position: Array, gaps: Gaps, points: Ints) -> Array:
         out = super()._limit_change(position, gaps, points)
         pressure = self._whole(points, gaps) * -gaps.gap[points[:, 0], points[:, 1]]
-        return out + self.coefficient * pressure[:, None] * self._fading(points, gaps)
+        return out + self.coefficient * pressure[:, None] * self._fading(position, points, gaps)
 
     def _apart(self, position: Array, gaps: Gaps, a: FrictionHistory) -> Array:
         places = self._all(position, gaps.pose)[self._nodes(a.points, a.partner, len(position))]

@@ -137,3 +137,35 @@ def normals_at(position, sides, partner, at):
         for i in range(3):
             out[k, i] /= max(size, 1e-300)
     return out
+
+
+@njit(**LOOP)
+@calls(closest)
+def foot_changes(position, sides, N1, points, partner, at):
+    """Derivatives (k, 2, 3 (n1 + n2)) of the places of feet by the nodes of primary, then secondary sides."""
+    primary, secondary = sides
+    n1, n2 = primary.shape[1], secondary.shape[1]
+    out = np.zeros((len(points), 2, 3 * (n1 + n2)))
+    N, D, H = np.empty(n2), np.empty((n2, 2)), np.empty((n2, 3))
+    y, d, h, apart, corners = np.empty(3), np.empty((2, 3)), np.empty((3, 3)), np.empty(3), np.empty((n2, 3))
+    for k in range(len(points)):
+        side, q = points[k, 0], points[k, 1]
+        for a in range(n2):
+            for i in range(3):
+                corners[a, i] = position[secondary[partner[k], a], i]
+        shapes(at[k, 0], at[k, 1], N, D, H)
+        place(corners, N, D, H, y, d, h)
+        for i in range(3):
+            apart[i] = -y[i]
+            for a in range(n1):
+                apart[i] += N1[q, a] * position[primary[side, a], i]
+        rr, rs, ss = curvature(apart, d, h)
+        determinant = rr * ss - rs * rs
+        for a in range(n1 + n2):
+            for i in range(3):
+                b = a - n1
+                along = N1[q, a] * d[0, i] if a < n1 else D[b, 0] * apart[i] - N[b] * d[0, i]
+                across = N1[q, a] * d[1, i] if a < n1 else D[b, 1] * apart[i] - N[b] * d[1, i]
+                out[k, 0, 3 * a + i] = (ss * along - rs * across) / determinant
+                out[k, 1, 3 * a + i] = (rr * across - rs * along) / determinant
+    return out

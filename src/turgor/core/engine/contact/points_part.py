@@ -152,13 +152,12 @@ class PointsPart(ABC):
         if not chosen.any():
             return None
         points, pull = a.points[chosen], pull[chosen]
-        partner, at = self._partners(gaps, points), gaps.at[points[:, 0], points[:, 1]]
-        change = self._limit_change(position, gaps, points)
+        partner, change = self._partners(gaps, points), self._limit_change(position, gaps, points)
         return Rubbing(
             self.tied_unknowns(self._key(points[:, 0], a.partner[chosen])),
             (self._shares(points, a.at[chosen])[:, :, None] * pull[:, None, :]).reshape(len(points), -1),
             self.tied_unknowns(self._key(points[:, 0], partner)),
-            (self._shares(points, at)[:, :, None] * change[:, None, :]).reshape(len(points), -1),
+            change,
         )
 
     def fading(self, position: Array, gaps: Gaps) -> Rubbing | None:
@@ -166,8 +165,10 @@ class PointsPart(ABC):
         return None
 
     def _limit_change(self, position: Array, gaps: Gaps, points: Ints) -> Array:
-        """Gradients (k, 3) of the limits of friction as points inside move."""
-        return -self.coefficient * self._springs(points, gaps)[:, None] * self._normals(position, gaps, points)
+        """Derivatives (k, m) of the limits of friction by the nodes of points inside and of what they touch."""
+        change = -self.coefficient * self._springs(points, gaps)[:, None] * self._normals(position, gaps, points)
+        shares = self._shares(points, gaps.at[points[:, 0], points[:, 1]])
+        return np.asarray((shares[:, :, None] * change[:, None, :]).reshape(len(points), -1))
 
     def pressures(self, gaps: Gaps) -> Array:
         """Pressure (s, q) per reference area at the points, that of both passes."""

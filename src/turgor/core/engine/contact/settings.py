@@ -42,6 +42,9 @@ class ContactSearchSettings:
         its pressure fades meanwhile. Just less than from the edge of a side to its outermost point (0.113 in a square,
         0.12 in a triangle), so that bodies whose rims meet press with their whole surface. Without it, a plate whose
         rim slides off a block takes 2,980 iterations instead of 29.
+    inner_rim : float
+        The same for a rim of the body itself, within it, over the length of the side of the point, and no more than the
+        point lies within a rim of its own surface: so of two edges that lie on each other both press.
     beyond : float
         That length at most, as a share of the side of the rim: beyond it, foot points on curved sides are in doubt.
     smooth : float
@@ -65,6 +68,7 @@ class ContactSearchSettings:
     walk: int = 4
     overhang: float = 0.03
     rim: float = 0.11
+    inner_rim: float = 0.25
     beyond: float = 0.3
     smooth: float = 0.8
     nearer: float = 1e-3

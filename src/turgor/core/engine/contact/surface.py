@@ -163,3 +163,71 @@ def listed(rows: Ints, values: Ints, count: int) -> tuple[Ints, Ints]:
     """Values of each of ``count`` rows one after another: start (count + 1,), values."""
     order = np.lexsort((values, rows))
     return np.searchsorted(rows[order], np.arange(count + 1)).astype(np.int64), np.ascontiguousarray(values[order])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rims:
+    """Sharp convex edges of sides.
+
+    A sharp rim that slides over the points of a surface would drop, or take up, one row of them after the other, and
+    the force would jump each time. Instead it passes each point within a band, in which the pressure of the point
+    fades.
+
+    Parameters
+    ----------
+    width : (t, e) array
+        Width of each side across each of its edges at rest; inf where the edge is no sharp rim.
+    """
+
+    width: Array
+
+    def beyond(self, band: float) -> Array:
+        """How far (t, e) a foot point may lie beyond each edge, for a band of that length."""
+        return np.minimum(band / self.width, CONTACT_SEARCH.beyond)
+
+    def within(self, sides: Ints, at: Array) -> tuple[Array, Ints]:
+        """How far (k,) places (k, 2) on sides lie within the nearest rim of theirs, inf without one, and its edge."""
+        inside, ways = _TRIANGLE if self.width.shape[1] == 3 else _QUADRILATERAL
+        width = self.width[sides]
+        sharp = np.isfinite(width)
+        every = np.where(sharp, (inside + at @ ways.T) * np.where(sharp, width, 0.0), np.inf)
+        return every.min(axis=1), every.argmin(axis=1)
+
+    def covered(self, partner: Ints, at: Array, band: Array, outside: bool) -> tuple[Array, Array]:
+        """Shares (k,) of points that sides cover, and the derivatives (k, 2) of these by the places.
+
+        ``at`` are the places (k, 2) on the ``partner`` sides, ``band`` (k,) the length of the band within a rim, and
+        ``outside`` says whether it has as much beyond the rim.
+        The energy of the penetration that fades is lost: a rim that gained it would push points off.
+        """
+        _, ways = _TRIANGLE if self.width.shape[1] == 3 else _QUADRILATERAL
+        within, edge = self.within(partner, at)
+        start, whole = (band, 2 * band) if outside else (np.zeros(len(band)), band)
+        way = np.clip((start + within) / whole, 0, 1)
+        width = self.width[partner, edge]
+        slope = 6 * way * (1 - way) * np.where(np.isfinite(width), width, 0.0) / whole
+        return way**2 * (3 - 2 * way), slope[:, None] * ways[edge]
+
+
+#: How far places (r, s) lie inside each edge: constants (e,) and derivatives (e, 2).
+_TRIANGLE = np.array([0.0, 1.0, 0.0]), np.array([[0.0, 1.0], [-1.0, -1.0], [1.0, 0.0]])
+_QUADRILATERAL = np.array([0.0, 1.0, 1.0, 0.0]), np.array([[0.0, 1.0], [-1.0, 0.0], [0.0, -1.0], [1.0, 0.0]])
+
+
+def rims(points: Array, sides: Ints, borders: bool) -> Rims:
+    """Find the sharp convex edges of sides (t, n); ``borders`` says whether edges of one side alone are such."""
+    kind = side_type(sides.shape[1])
+    center, _, normal = centers_of(points, sides, kind.corners)
+    _, owner, (first, second) = joined(sides)
+    a, b = owner[first], owner[second]
+    smooth = np.einsum("ei,ei->e", normal[a], normal[b]) > CONTACT_SEARCH.smooth
+    groove = np.einsum("ei,ei->e", center[b] - center[a], normal[a]) > 0
+    rim = np.full(len(owner), borders)
+    rim[first] = rim[second] = ~(smooth | groove)
+    corner = points[sides[:, : kind.corners]]
+    along = np.roll(corner, -1, axis=1) - corner
+    inward = np.cross(normal[:, None, :], along)
+    inward /= np.linalg.norm(inward, axis=2, keepdims=True)
+    over = 3 if kind.corners == 3 else 2  # the center is at a third of a triangle, in the middle of a quadrilateral
+    width = over * np.einsum("tei,tei->te", center[:, None, :] - corner, inward)
+    return Rims(np.where(rim.reshape(len(kind.edges), -1).T, width, np.inf))

@@ -8,7 +8,7 @@ from turgor.core.engine.algebra.pattern import Pattern
 from turgor.core.engine.cells.reference import reference_nodes, side_tables
 from turgor.core.engine.contact.couplings import Layout
 from turgor.core.engine.contact.pair_part import PairPart, Partners
-from turgor.core.engine.contact.surface import Surface, overhangs, strangers
+from turgor.core.engine.contact.surface import Surface, overhangs, rims, strangers
 from turgor.core.meshing.cells import side_type
 from turgor.core.model.obstacles.pose import Pose
 
@@ -27,6 +27,7 @@ def compile_press(nodes: int) -> None:
     gaps = part.look(points, Pose(np.zeros(3)))
     gaps = replace(gaps, friction=part.anchored(points, gaps))
     part.forces(points, gaps)
+    part.fading(points, gaps)
     size = 3 * len(points)
     diagonal = Pattern(size, np.arange(size + 1, dtype=np.int64), np.arange(size, dtype=np.int32))
     layout = Layout(diagonal, np.zeros(size, dtype=bool))
@@ -57,5 +58,6 @@ def _pressed(nodes: int) -> tuple[np.ndarray, PairPart]:
         strangers=strangers(points, sides),
         around=around,
         reach=1.0,
+        rims=rims(points, sides, borders=True),
     )
     return points, PairPart("self", surface, partners, 0.5, 0.5)

@@ -204,13 +204,11 @@ def refuse_remeshing(model: Model) -> None:
     TurgorError
         Naming what cannot be carried over.
     """
-    contact, mesh = model.contact, model.mesh
-    frictions = [each.friction for each in contact.obstacles]
-    frictions += [] if contact.self_contact is None else [contact.self_contact.friction]
+    mesh = model.mesh
     reasons = {
         "a film without a solid has no cells that could degrade": not len(mesh.cells),
-        "cells of 20 nodes cannot be cut": mesh.cells.shape[1] == 20,
-        "where contact sticks depends on the sides of the cells, so friction cannot be carried over": any(frictions),
+        "cells of 20 nodes cannot be cut in a wedge or a revolved mesh": mesh.cells.shape[1] == 20
+        and (bool(mesh.revolved) or mesh.wedge is not None),
         "liquid that flows through a channel cannot be carried over": any(load.channel for load in model.loads),
         "the damage of a bond cannot be carried over": bool(model.bonds),
     }
