@@ -56,6 +56,7 @@ REFERENCES: dict[str, dict[str, Any]] = {
     "free_bottom_pneunet": {"size": 3.0, "edge": 0.6},
     "helical_pneunet": {"size": 3.0, "edge": 0.6},
     "inflatable_beam": {"size": 20.0, "cells": "films"},
+    "kresling_tube": {"size": 2.5, "cells": "films"},
     "manta_fin": {"size": 4.5, "edge": 0.7},
     "miura_tube": {"size": 1.5, "cells": "films"},
     "omnidirectional_actuator": {"size": 3.0, "edge": 0.3},
@@ -68,7 +69,7 @@ REFERENCES: dict[str, dict[str, Any]] = {
     "trapezoidal_pneunet": {"size": 2.7, "edge": 0.4},
     "triangular_pneunet": {"size": 2.7, "edge": 0.4},
     "twisting_tube": {"size": 3.0, "edge": 0.3},
-    "yoshimura_bellows": {"size": 2.5, "cells": "films"},
+    "yoshimura_bellows": {"size": 2.0, "cells": "films"},
     "two_material_bender": {"size": 8.0, "along": 12.0, "wall_cells": 4, "quarter_cells": 12},
 }
 

@@ -130,7 +130,9 @@ def _center(corners: Sequence[Point]) -> Point:
     """
     turned = (tuple(corners[(k + i) % 3] for i in range(3)) for k in range(3))
     weights = [cos(_angle(*each) / 2) for each in turned]
-    x, y, z = (sum(w * p for w, p in zip(weights, axis, strict=True)) / sum(weights) for axis in zip(*corners, strict=True))
+    x, y, z = (
+        sum(w * p for w, p in zip(weights, axis, strict=True)) / sum(weights) for axis in zip(*corners, strict=True)
+    )
     return (x, y, z)
 
 

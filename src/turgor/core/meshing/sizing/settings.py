@@ -110,7 +110,7 @@ class SizingSettings:
     short_row: float = 0.76
     curved: float = 0.7
     folded: float = 0.5
-    film_sides: float = 8.0
+    film_sides: float = 9.5
     most_film_sides: float = 400.0
 
 
