@@ -1,7 +1,5 @@
 """The mesh error of folded films costs a few factorizations, like that of solids, and covers the true error."""
 
-import pytest
-
 import turgor as tg
 from turgor.core.engine.algebra.tangent import Tangent
 from turgor.units import MPa, kPa, mm
