@@ -42,7 +42,7 @@ class PlateSettings:
     margin, least_penalty : float
         Of a film without a solid, each edge has the least penalty that keeps the bending energy of its sides positive
         (`least_penalties`) with this margin, and at least the second number. Sides of folded tubes are skew: with 5
-        everywhere a Miura tube at its default size shortens by 4.1 % too little, and a Kresling tube by 8 %.
+        everywhere, a Miura tube (sides of 4.3 mm) shortens by 5 % less, a Kresling tube (10 mm) by 4 %.
     across : float
         A side of the body that is fixed keeps the slope of a sheet that ends at it, if it goes on across the sheet:
         the smallest sine of the angle between both.
