@@ -60,7 +60,6 @@ REFERENCES: dict[str, dict[str, Any]] = {
     "free_bottom_pneunet": {"size": 3.0, "edge": 0.6},
     "helical_pneunet": {"size": 3.0, "edge": 0.6},
     "inflatable_beam": {"size": 20.0, "cells": "films"},
-    "kresling_tube": {"size": 3.0, "cells": "films"},
     "manta_fin": {"size": 4.5, "edge": 0.7},
     "miura_tube": {"size": 1.5, "cells": "films"},
     "omnidirectional_actuator": {"size": 3.0, "edge": 0.3},

@@ -81,8 +81,8 @@ class SizingSettings:
     folded : float
         Size on the folded walls of bellows, over the mesh size: 0.7 leaves three parallel bellows 3 % off.
     film_sides, most_film_sides : float
-        Sides of a film without a solid along its longest extent, by default and at most. With 9.5, a
-        Kresling tube is 1.7 % off in 28 CPU s; with 11, the path of a pouch ends at its first step.
+        Sides of a film without a solid along its longest extent, by default and at most. A Kresling
+        tube takes 28 CPU s with 9.5; the path of a pouch ends at its first step with 11.
     """
 
     cells_per_extent: float = 8.0
