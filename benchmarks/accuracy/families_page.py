@@ -50,10 +50,14 @@ and to 2 % by both kinds. Within 30 CPU s only the first of these tetrahedra (26
 the second show: hexahedra with edges of 1 mm give 1.450° and 0.705 mm in 35 CPU s, with two cells through the top alone
 1.425° and 0.719 mm in 26, or 1.438° and 0.729 mm with middles that follow in 16.
 
-Films have no cells, and their stress is that of 99 % of the nodes. Sides that are short next to folds do not help. A
-Kresling tube has no reference: it shortens by 1.325, 1.565 and 1.800 mm with sides of 20, 10 and 5 mm, by 1.825 mm with
-those of 5 mm and short ones next to folds. The buckling muscle with cells of 3 mm and middles that follow (24,791
-unknowns, 50 CPU s) is 1.1 % off.
+Films have no cells, and their stress is that of 99 % of the nodes. Sides that are short next to folds do not help.
+The default mesh of the pouch was refined twice (*size*: its sides then), each time from the interpolated state: its
+tip moves by 15.23, 15.33 and 15.36 mm with 1,170, 4,416 and 17,148 unknowns. The path on sides of 5 mm ends at its
+first step. A Kresling tube is near the vacuum at which it snaps, where each percent of stiffness is about three of
+its way: it shortens by 1.637, 1.867 and 1.899 mm with sides of 10, 4 and 3 mm, and the estimate says 0.12 mm more
+than with 4 mm. That falls with the size, not with its square, so that it has no reference. Stresses of the Yoshimura
+bellows peak at corners of folds: 447 kPa with sides of 3.6 and of 3 mm, 411 with 2 mm. The buckling muscle with cells
+of 3 mm and middles that follow (24,791 unknowns, 50 CPU s) is 1.1 % off.
 
 {references}
 

@@ -5,7 +5,7 @@ The end plate is pressed by 2 and by 4 mm, and may turn.
 Reference: bars along the folds, of the same stiffness and of the lengths b² = h² + 2 R² (1 − cos θ) and
 c² = h² + 2 R² (1 − cos(θ − 2π/n)); the turn θ at the height h has the least energy (Kidambi and Wang 2020, doi
 10.1103/PhysRevE.101.063003). It is an approximation: triangles of film also shear, and their folds resist.
-Tolerance: 20 % of the twist. With sides of 12 and 8 mm the film turns by 12.4 and 12.6° at 4 mm, the bars by 14.6°.
+Tolerance: 20 % of the twist. With sides of 20 mm the film turns by 12.8° at 4 mm, the bars by 14.6°.
 
 Under vacuum, more rows and a larger turn at rest shorten and twist it further: signs, on coarse meshes.
 """
@@ -54,12 +54,12 @@ def test_a_pressed_tube_twists_about_as_its_folds_do(record_verification):
 
 
 def _under_vacuum(**dimensions):
-    """Contraction [mm] and twist [deg] of a tube of 1 mm film at -10 kPa."""
+    """Contraction [mm] and twist [deg] of a tube of 1 mm film at -8 kPa."""
     mesh = tg.mesh(tg.actuators.KreslingTube(**dimensions), size=20 * mm)
     film = tg.Material(name="film", law=tg.laws.Hooke(E=20 * MPa, nu=0.45))
     supports = ["fixed", tg.supports.ReferencePoint("end", "tip")]
     sheets = {"film": tg.Shell(film, 1 * mm), "tip": tg.Shell(film, 5 * mm)}
-    model = tg.Model(mesh, sheets, supports, [tg.Pressure("cavity", -10 * kPa)])
+    model = tg.Model(mesh, sheets, supports, [tg.Pressure("cavity", -8 * kPa)])
     last = problems.solve(model, tg.Static(first_step=0.5, max_step=0.5)).states[-1]
     turned = last.points["end"].rotation
     moved = last.displacement[mesh.face_nodes("tip"), 0].mean()
@@ -76,11 +76,11 @@ def _under_vacuum(**dimensions):
 def test_more_rows_and_larger_turns_shorten_and_twist_further(what, tubes, record_verification):
     contraction, twist = np.transpose([_under_vacuum(**each) for each in tubes])
     record_verification(
-        claim=f"Kresling tube at -10 kPa, {what}: contraction [mm]",
+        claim=f"Kresling tube at -8 kPa, {what}: contraction [mm]",
         source="guideline", expected="rises by a fifth at least", got=tuple(contraction), tolerance="sign",
     )  # fmt: skip
     record_verification(
-        claim=f"Kresling tube at -10 kPa, {what}: twist [deg]",
+        claim=f"Kresling tube at -8 kPa, {what}: twist [deg]",
         source="guideline", expected="rises by a fifth at least", got=tuple(twist), tolerance="sign",
     )  # fmt: skip
     assert (contraction[1:] > 1.2 * contraction[:-1]).all()

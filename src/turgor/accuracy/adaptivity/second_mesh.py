@@ -138,7 +138,7 @@ def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -
     at = system.evaluate(unknowns, state.load_factor, history=history)
     if at is None:
         return None
-    if not len(system.cells):
+    if not len(system.cells) and system.model.sheets_wrinkle:
         return _with_folds(equations, at, state)
     if _touching(state):
         return _carefully(system, tangent, at, state, exact)

@@ -13,9 +13,10 @@ from turgor.core.engine.cells.cell_materials import CellMaterials
 from turgor.core.engine.cells.cell_terms import CellTerms
 from turgor.core.engine.cells.element import Element, element_of, tables_with
 from turgor.core.engine.cells.internal_variables import Memory, bonds_of
-from turgor.core.engine.cells.reference import reference_nodes, smooth_basis, tables_at
+from turgor.core.engine.cells.reference import reference_cell, reference_nodes, smooth_basis, tables_at
 from turgor.core.engine.cells.stabilization import penalty_energy
 from turgor.core.engine.cells.states.body_states import has_states, networks_of, rest_of, stiffness_of
+from turgor.core.engine.faces.membranes import MEMBRANE_QUADRATURE_DEGREE, surface_frames
 from turgor.core.engine.points.motion import PointMotion, carrier_displacement
 from turgor.core.engine.points.point_unknowns import carriers_of, with_carrier_points
 from turgor.core.engine.term import Setting
@@ -213,6 +214,24 @@ def nodal_average(mesh: Mesh, values: Array, nodes: RegionNodes) -> Array:
     local = np.einsum("aq,cqk->cak", at_nodes, values.reshape(*values.shape[:2], -1))
     volume = _geometry(mesh, values.shape[1])[1].sum(axis=1)
     return _averaged(local, volume, nodes).reshape(len(nodes.node), *values.shape[2:])
+
+
+def film_average(model: Model, values: Array) -> Array:
+    """Carry values (f, 4, ...) from 2 × 2 points of the sides of films, in the order of the model, to the nodes.
+
+    In each side a bilinear field goes through the points; at a node the values of its sides are averaged by area. The
+    means of sides would cut off the peaks at corners of folds, by a tenth on default meshes.
+    """
+    nodes = np.concatenate([model.mesh.face(name) for name in model.membranes])
+    frames, kind = surface_frames(model.mesh.points, nodes), nodes.shape[1]
+    rule = reference_cell(kind, MEMBRANE_QUADRATURE_DEGREE[4])
+    at_nodes = smooth_basis(kind, reference_nodes(kind)) @ np.linalg.inv(smooth_basis(kind, rule.points))
+    local = np.einsum("aq,fqk->fak", at_nodes, values.reshape(*values.shape[:2], -1))
+    area, count = frames.areas.sum(axis=1), len(model.mesh.points)
+    weights = np.repeat(area, kind)
+    sums = [np.bincount(nodes.ravel(), weights * each, count) for each in local.reshape(-1, local.shape[2]).T]
+    mean = np.stack(sums, axis=1) / np.maximum(np.bincount(nodes.ravel(), weights, count), 1e-300)[:, None]
+    return np.asarray(mean.reshape(count, *values.shape[2:]))
 
 
 def nodal_mean_stress(model: Model, mean_stress: Array, nodes: RegionNodes) -> Array:

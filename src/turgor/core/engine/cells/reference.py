@@ -119,7 +119,12 @@ def tables_at(nodes: int, points: Array, weights: Array) -> ReferenceCell:
 
 
 def smooth_basis(nodes: int, points: Array) -> Array:
-    """Basis of the fields fitted in a cell, at reference points: linear in tetrahedra, trilinear in hexahedra."""
+    """Basis of fields fitted in a cell or a side with four corners, at reference points.
+
+    Linear in tetrahedra, trilinear in hexahedra, bilinear in sides.
+    """
+    if points.shape[1] == 2:
+        return np.column_stack([np.ones(len(points)), points, points.prod(axis=1)])
     x, y, z = points.T
     linear = [np.ones(len(points)), x, y, z]
     return np.column_stack(linear if nodes == TETRAHEDRON.nodes else [*linear, x * y, y * z, z * x, x * y * z])

@@ -9,7 +9,13 @@ from numpy.typing import NDArray
 from turgor.core.engine.cells.reference import reference_cell, reference_nodes, tables_at
 from turgor.core.engine.faces.membranes import surface_frames
 from turgor.core.engine.faces.plate_terms import HingeTerm, PlateTerm
-from turgor.core.engine.faces.plates import curvature_numbers, second_derivatives
+from turgor.core.engine.faces.plates import (
+    covariant,
+    curvature_numbers,
+    least_penalties,
+    second_derivatives,
+    surface_at,
+)
 from turgor.core.engine.faces.settings import PLATE
 from turgor.core.engine.faces.sheet_moduli import sheet_moduli
 from turgor.core.engine.term import Setting, Term
@@ -75,10 +81,13 @@ class Edges:
         Nodes of the side of each.
     place : (e,) int array
         Which of its edges it is.
+    penalty : (e,) array
+        Penalty η of its angle.
     """
 
     nodes: Ints
     place: Ints
+    penalty: Array
 
     @property
     def ends(self) -> Ints:
@@ -97,18 +106,40 @@ class Edges:
         return np.asarray(ends[:, 0] << 32 | ends[:, 1])
 
     def __getitem__(self, chosen: Ints | NDArray[np.bool_]) -> "Edges":
-        return Edges(self.nodes[chosen], self.place[chosen])
+        return Edges(self.nodes[chosen], self.place[chosen], self.penalty[chosen])
 
 
 def edges_of(sides: Ints) -> Edges:
-    """All edges of sides (f, n), one after the other of each."""
+    """All edges of sides (f, n), one after the other of each, with the penalty that suits all sheets on bodies."""
     corners = side_type(sides.shape[1]).corners
-    return Edges(np.repeat(sides, corners, axis=0), np.tile(np.arange(corners), len(sides)))
+    place = np.tile(np.arange(corners), len(sides))
+    eta = PLATE.penalty_triangles if corners == 3 else PLATE.penalty_quadrilaterals
+    return Edges(np.repeat(sides, corners, axis=0), place, np.full(len(place), eta))
+
+
+def _of_film(setting: Setting, sides: Ints, sheet: Shell) -> Edges:
+    """All edges of the sides of a film without a solid, each with the penalty that its sides need."""
+    edges, plate = edges_of(sides), _plate(setting, sides, sheet)
+    curving = plate.curving(setting.points)[1]
+    bending = (np.swapaxes(curving, -1, -2) @ (plate.areas[..., None, None] * plate.moduli) @ curving).sum(axis=1)
+    moments = np.zeros((len(edges.place), sides.shape[1], sides.shape[1]))
+    for place, share in EDGE_POINTS[4]:
+        here, corners = _at_edges(setting.points, edges, np.full(len(edges.place), place)), setting.points[edges.nodes]
+        D = sheet_moduli(sheet, here.nu, here.tau)[..., 0, :] * _stiffness(setting, sheet)
+        surface = surface_at(corners, here.slopes)
+        numbers = covariant(surface, here.slopes, here.seconds, here.seconds @ corners)
+        moment = np.einsum("...c,...cn->...n", D, numbers)
+        length = share * np.linalg.norm((here.tangent[:, None] @ corners)[:, 0], axis=1)
+        moments += np.einsum("e,ei,ej->eij", length * here.height / D[..., 0], moment, moment)
+    least = least_penalties(bending, moments.reshape(len(sides), 4, *bending.shape[1:]))
+    eta = np.maximum(PLATE.margin * least, PLATE.least_penalty)
+    return replace(edges, penalty=eta.ravel())
 
 
 def _hinges(setting: Setting, triangles: Ints, sheet: Shell, names: Sequence[str]) -> list[HingeTerm]:
     """Edges between two sides, and rim edges that are fixed."""
-    edges = edges_of(triangles)
+    alone = not len(setting.model.mesh.cells)
+    edges = _of_film(setting, triangles, sheet) if alone else edges_of(triangles)
     order = np.argsort(edges.keys, kind="stable")
     _, first, count = np.unique(edges.keys[order], return_index=True, return_counts=True)
     if (count > 2).any():
@@ -160,7 +191,6 @@ def _hinge(setting: Setting, pair: tuple[Edges, Edges], whole: bool, sheet: Shel
     alike = (first.ends == second.ends).all(axis=1)
     nodes, places = _patches(first, second)
     slopes, moments = np.zeros((len(nodes), 2, nodes.shape[1], 2)), np.zeros((len(nodes), 2, nodes.shape[1]))
-    eta = PLATE.penalty_triangles if corners == 3 else PLATE.penalty_quadrilaterals
     along, penalty, rows = np.zeros(nodes.shape), np.zeros(len(nodes)), np.arange(len(nodes))[:, None]
     for k, (edges, share) in enumerate(((first, at), (second, np.where(alike, at, 1 - at)))):
         here = _at_edges(setting.points, edges, share)
@@ -171,7 +201,7 @@ def _hinge(setting: Setting, pair: tuple[Edges, Edges], whole: bool, sheet: Shel
             D = sheet_moduli(sheet, here.nu, here.tau) * _stiffness(setting, sheet)
             moment = np.einsum("...c,...cn->...n", D[..., 0, :], here.seconds)
             moments[rows, k, places[k]] = (0.5 if whole else 1.0) * moment
-            penalty += eta * D[..., 0, 0] * (0.5 if whole else 2.0) / here.height
+            penalty += edges.penalty * D[..., 0, 0] * (0.5 if whole else 2.0) / here.height
     slopes[alike, 1] = slopes[alike, 1, :, ::-1]  # turns the normal of a side that is wound the other way
     lengths = shares * np.linalg.norm(np.einsum("em,emi->ei", along, setting.points[nodes]), axis=1)
     hinge = HingeTerm(nodes, slopes, moments, along, np.zeros((len(nodes), 2)), lengths, penalty)

@@ -55,19 +55,19 @@ class PlateTerm(Term):
 
     def add_forces(self, out: Array, at: Configuration) -> None:
         """Add the forces of the bending moments."""
-        surface, curving, curvature = self._curving(at.position)
+        surface, curving, curvature = self.curving(at.position)
         moments = self.areas[..., None] * self._moments(curvature)
         numbers = (moments[..., None, :] @ curving)[..., 0, :]
         add_at_nodes(out, self.nodes, np.swapaxes(numbers, 1, 2) @ surface.normal)
 
     def energy(self, position: Array) -> float:
         """Energy of the curvature."""
-        _, _, curvature = self._curving(position)
+        _, _, curvature = self.curving(position)
         return 0.5 * float((self.areas * ((curvature - self.rest) * self._moments(curvature)).sum(axis=-1)).sum())
 
     def stresses(self, position: Array, update: Array) -> Array:
         """Bending moments (f, q, 3)."""
-        surface, curving, curvature = self._curving(position)
+        surface, curving, curvature = self.curving(position)
         away = surface.normal @ np.swapaxes(update[self.nodes], 1, 2)
         return self._moments(curvature + (curving @ away[..., None])[..., 0])
 
@@ -77,7 +77,7 @@ class PlateTerm(Term):
 
     def tangents(self, at: Configuration, stresses: Array) -> Array:
         """Material part, and the geometric part of the moments."""
-        surface, curving, curvature = self._curving(at.position)
+        surface, curving, curvature = self.curving(at.position)
         bends = rows(curving, surface.normal[:, :, None])
         weighed = self.areas[..., None] * stresses
         pulled = np.einsum("fqc,fqcm->fqm", weighed, curving)
@@ -86,7 +86,7 @@ class PlateTerm(Term):
         scaled = flat.reshape(bends.shape)
         return lower(quadratic(np.concatenate([bends, surface.across], 2), np.concatenate([scaled, turned], 2)))
 
-    def _curving(self, position: Array) -> tuple[Surface, Array, Array]:
+    def curving(self, position: Array) -> tuple[Surface, Array, Array]:
         """The surface, the numbers (f, q, 3, 6) of the change of its curvatures, and these (f, q, 3)."""
         corners = position[self.nodes][:, None]
         surface = surface_at(corners, self.slopes)

@@ -26,6 +26,9 @@ from turgor.core.engine.cells.reference import tables_at
 
 Array = NDArray[np.float64]
 
+#: Deflections of a side that do not bend it: the linear ones.
+FLAT = 3
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Surface:
@@ -124,3 +127,37 @@ def quadratic(left: Array, right: Array) -> Array:
     flat = [part.reshape(len(part), -1, part.shape[-2] * 3) for part in (left, right)]
     out = np.swapaxes(flat[0], 1, 2) @ flat[1]
     return np.asarray(0.5 * (out + np.swapaxes(out, 1, 2)))
+
+
+def least_penalties(bending: Array, moments: Array) -> Array:
+    """Find the least penalty η of each edge with which the bending energy of each side is positive.
+
+    With the share η D / (2 h) of the penalty, a side and its share of the mean moments have a positive energy where
+
+        ½ ∫ κ : ℂ : κ dA ≥ Σ ∫ m² h / (4 η D) dL
+
+    for all deflections of its nodes. The η that each edge needs alone, times the one factor that all need together,
+    fulfill it. A square needs 1 where ν = 0, sides of folded tubes 2 to 7.
+
+    Parameters
+    ----------
+    bending : (f, n, n) array
+        Twice the bending energy of each side, of the deflections of its nodes.
+    moments : (f, k, n, n) array
+        m² h / D integrated along each of its k edges.
+
+    Returns
+    -------
+    (f, k) array
+
+    Examples
+    --------
+    >>> least_penalties(np.diag([0, 0, 0, 1.0, 2.0])[None], np.diag([0, 0, 0, 2.0, 2.0])[None, None])
+    array([[1.]])
+    """
+    values, vectors = np.linalg.eigh(bending)
+    unit = (vectors[..., FLAT:] / np.sqrt(values[:, None, FLAT:]))[:, None]
+    shares = 0.5 * np.swapaxes(unit, -1, -2) @ moments @ unit
+    alone = np.linalg.eigvalsh(shares)[..., -1]
+    together = np.linalg.eigvalsh((shares / alone[..., None, None]).sum(axis=1))[:, -1]
+    return np.asarray(alone * together[:, None])

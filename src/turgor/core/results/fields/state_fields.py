@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from turgor.core.engine.bonds.bond_results import BondResult, bond_results
 from turgor.core.engine.faces.membrane_term import film_fields
 from turgor.core.engine.fibers.fiber_trusses import FiberTrusses, discrete_threads
-from turgor.core.engine.fields import CellFields, cell_fields, nodal_average, nodal_mean_stress
+from turgor.core.engine.fields import CellFields, cell_fields, film_average, nodal_average, nodal_mean_stress
 from turgor.core.engine.percentiles import PERCENTILE, volume_percentile
 from turgor.core.geometry.cad.symmetry.whole import Image, MirrorPlane, images_of
 from turgor.core.meshing.mesh import Mesh
@@ -141,14 +141,15 @@ class StateFields:
     def von_mises(self) -> Array:
         """Von Mises stress averaged at the nodes of each region, (d,) [Pa]."""
         if not len(self.mesh.cells):
-            deviator = self.cauchy_stress - self.mean_stress[:, None, None] * np.eye(3)
-            return np.asarray(np.sqrt(1.5 * (deviator**2).sum(axis=(1, 2))))
+            return np.maximum(film_average(self.model, _von_mises(self._films[0])), 0.0)
         return np.maximum(self._averaged(self.cells.von_mises), 0.0)
 
     @cached_property
     def stretch(self) -> Array:
         """Largest principal stretch averaged at the nodes of each region, (d,)."""
-        return self._averaged(self.cells.stretch) if len(self.mesh.cells) else self._films[1]
+        if not len(self.mesh.cells):
+            return film_average(self.model, self._films[1])
+        return self._averaged(self.cells.stretch)
 
     @cached_property
     def contact_pressure(self) -> Array:
@@ -172,11 +173,13 @@ class StateFields:
     @cached_property
     def cauchy_stress(self) -> Array:
         """Cauchy stress averaged at the nodes of each region, (d, 3, 3) [Pa]."""
-        return self._averaged(self.cells.cauchy) if len(self.mesh.cells) else self._films[0]
+        if not len(self.mesh.cells):
+            return film_average(self.model, self._films[0])
+        return self._averaged(self.cells.cauchy)
 
     @cached_property
     def _films(self) -> tuple[Array, Array]:
-        """Stress and stretch at the nodes of films without a solid."""
+        """Stress and stretch at points of films without a solid."""
         return film_fields(self.model, self.displacement, self.state.load_factor)
 
     @cached_property
@@ -211,6 +214,13 @@ class StateFields:
         for name in ("von_mises_p99", "stretch_p99", "von_mises", "stretch", "cauchy_stress"):
             getattr(self, name)
         self.__dict__.pop("cells", None)
+        self.__dict__.pop("_films", None)
 
     def _averaged(self, values: Array) -> Array:
         return nodal_average(self.mesh, values, self.facts.region_nodes)
+
+
+def _von_mises(stress: Array) -> Array:
+    """Von Mises stress (...) of stresses (..., 3, 3)."""
+    deviator = stress - np.trace(stress, axis1=-2, axis2=-1)[..., None, None] / 3 * np.eye(3)
+    return np.asarray(np.sqrt(1.5 * (deviator**2).sum(axis=(-2, -1))))
