@@ -85,14 +85,14 @@ def _materials_of(root: Element, mesh: FebMesh, materials: list[Element]) -> dic
         for key in filter(None, {each.given.get("name"), each.given.get("id")}):
             known[each.first_of_its_name(known, key)] = each
     domains = {each.given.get("name", ""): each for section in root.all("MeshDomains") for each in section.children}
-    found = {}
+    owned = {}
     for part in mesh.parts:
         domain = domains.get(part, mesh.owners[f"part {part}"])
         word = domain.given.get("mat", "")
         if word not in known:
             domain.fail(f"there is no material '{word}'{near_match(word, known) or '.'}")
-        found[part] = domain, known[word]
-    return found
+        owned[part] = domain, known[word]
+    return owned
 
 
 def _sections(root: Element, mesh: FebMesh, of_parts: dict[str, tuple[Element, Element]]) -> Iterator[Keyword]:
