@@ -95,7 +95,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "mass": MappingProxyType({"kg": kg, "g": g, "mg": 1e-6, "lb": 0.45359237, "oz": 0.45359237 / 16}),
         "density": MappingProxyType({"kg/m³": 1.0, "kg/m3": 1.0, "g/cm³": 1e3, "g/cm3": 1e3}),
         "spring stiffness": MappingProxyType({"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0}),
-        "compliance": MappingProxyType({"mm/N": 1e-3, "m/N": 1.0, "µm/N": 1e-6, "um/N": 1e-6, "mm/kN": 1e-6}),
+        "compliance": MappingProxyType({"m/N": 1.0, "mm/N": 1e-3, "µm/N": 1e-6, "um/N": 1e-6, "mm/kN": 1e-6}),
         "force per length": MappingProxyType(
             {"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0, "kN/m": 1e3, "lbf/in": lbf / inch, "pli": lbf / inch}
         ),

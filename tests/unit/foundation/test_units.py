@@ -89,6 +89,18 @@ def test_a_float_that_is_not_finite_is_refused() -> None:
         parse_quantity(float("nan"), "length")
 
 
+@pytest.mark.parametrize("dimension", UNITS)
+def test_the_first_unit_is_that_of_the_si(dimension: str) -> None:
+    """`format_quantity` writes it where no number in another unit reads back exactly."""
+    unit = next(iter(UNITS[dimension]))
+    assert parse_quantity(f"3 {unit}", dimension) == 3.0
+
+
+def test_a_compliance_that_micrometers_cannot_write_is_in_meters_per_newton() -> None:
+    value = 111625608015.10864
+    assert parse_quantity(format_quantity(value, "µm/N"), "compliance") == value
+
+
 @given(value=FINITE, written=st.sampled_from(WRITTEN))
 def test_written_values_read_back_exactly(value: float, written: tuple[str, str]) -> None:
     dimension, unit = written
