@@ -291,12 +291,14 @@ def parse_quantity(text: object, dimension: str) -> float:
     """
     units = UNITS[dimension]
     if isinstance(text, bool) or not isinstance(text, str | int | float):
-        raise TurgorError(f"{_shown(text)} is not a {dimension}; write a number with its unit, {_example(dimension)}.")
+        raise TurgorError(
+            f"{_shown(text)} is not {_one(dimension)}; write a number with its unit, {_example(dimension)}."
+        )
     if not isinstance(text, str):
         raise TurgorError(f"{text} needs a unit, {_example(dimension)}. {_known(dimension)}")
     match = _NUMBER_AND_UNIT.fullmatch(text.translate(_SAME_SIGN).strip())
     if match is None:
-        raise TurgorError(f"'{text}' is not a {dimension}; write a number with its unit, {_example(dimension)}.")
+        raise TurgorError(f"'{text}' is not {_one(dimension)}; write a number with its unit, {_example(dimension)}.")
     number, unit = float(match[1]), match[2]
     if re.match(r",\d", unit):
         raise TurgorError(f"'{text}' has a decimal comma; write a point, {_example(dimension)}.")
@@ -366,16 +368,16 @@ def split_quantity(text: str) -> tuple[float, str] | None:
 def _wrong_unit(text: str, unit: str, dimension: str) -> TurgorError:
     for other, units in UNITS.items():
         if unit in units:
-            article = "an" if other[0] in "aeiou" else "a"
-            needed = "an" if dimension[0] in "aeiou" else "a"
-            return TurgorError(
-                f"'{text}' is {article} {other}, but {needed} {dimension} is needed. {_known(dimension)}"
-            )
+            return TurgorError(f"'{text}' is {_one(other)}, but {_one(dimension)} is needed. {_known(dimension)}")
     units = UNITS[dimension]
     same = [known for known in units if known.lower() == unit.lower()]
     near = same or get_close_matches(unit, units, n=1)
     hint = f"; did you mean '{near[0]}'?" if near else "."
     return TurgorError(f"unknown unit '{unit}' in '{text}'{hint} {_known(dimension)}")
+
+
+def _one(dimension: str) -> str:
+    return f"{'an' if dimension[0] in 'aeiou' else 'a'} {dimension}"
 
 
 def _known(dimension: str) -> str:

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, output_option, requested_job
-from turgor.foundation.errors import TurgorError
+from turgor.cli.options import Changes, Debug, JobFile, Json, option_quantity, output_option, requested_job
 
 if TYPE_CHECKING:
     from turgor.core.results.convergence.study import Convergence
@@ -52,14 +51,9 @@ def convergence_command(
 
 def _sizes(text: str) -> int | list[float]:
     """Read ``"3"`` as a number of sizes and ``"4 mm, 2.8 mm, 2 mm"`` as sizes."""
-    from turgor.units import parse_quantity
-
     if text.strip().isdigit():
         return int(text)
-    try:
-        return [parse_quantity(part.strip(), "length") for part in text.split(",")]
-    except TurgorError as error:
-        raise TurgorError(f"--sizes: {error}") from None
+    return [option_quantity("--sizes", part, "length") for part in text.split(",")]
 
 
 def _solve(job: "Job", sizes: int | list[float], measure: str) -> "Convergence":

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.options import Changes, Debug, Json, command_of, output_option, requested_job
+from turgor.cli.options import Changes, Debug, Json, command_of, option_quantity, output_option, requested_job
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -96,14 +96,13 @@ def _files_of_job(
     from turgor.core.geometry.molds.mold import MoldSettings
     from turgor.core.inp.account import by_verdict
     from turgor.job.export import InpOptions, export_job
-    from turgor.units import parse_quantity
 
     if not kinds:
         return (), (), ()
     question = requested_job(chosen.job, chosen.changes)
     folder = chosen.output if chosen.output is not None else Path(f"{question.name}-export")
     options = InpOptions(program=chosen.program, poisson=chosen.poisson)
-    mold = MoldSettings(draft=parse_quantity(chosen.draft, "angle"))
+    mold = MoldSettings(draft=option_quantity("--draft", chosen.draft, "angle"))
     done = export_job(question, folder, kinds, inp=options, mold=mold, force=chosen.force)
     return done.files, tuple(map(str, by_verdict(done.notes))), done.findings
 

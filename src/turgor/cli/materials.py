@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.options import Debug, Json, output_option
+from turgor.cli.options import Debug, Json, option_quantity, output_option
 
 if TYPE_CHECKING:
     from turgor.core.materials.library.choose import MaterialRow
@@ -86,9 +86,8 @@ def _choose(
     with errors_as_sentences(debug, as_json) as answer:
         from turgor.cli.answers.file_results import choice_result
         from turgor.core.materials.library.choose import choose
-        from turgor.units import parse_quantity
 
-        wanted = None if modulus is None else parse_quantity(modulus, "pressure")
+        wanted = None if modulus is None else option_quantity("--modulus", modulus, "pressure")
         largest = _largest(reach)
         near = choose(wanted, stretch, hardness=hardness, reach=largest)[:count]
         _print_choice(near, stretch, max(stretch, largest or stretch))

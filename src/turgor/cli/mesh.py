@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, FOUND_ERROR, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, output_option, requested_job
+from turgor.cli.options import Changes, Debug, JobFile, Json, option_quantity, output_option, requested_job
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -76,16 +76,12 @@ def _with_size(job: "Job", text: str | None) -> "Job":
 
     from turgor.core.meshing.exchange.mesh_file import MeshFile
     from turgor.job.job import MESHED
-    from turgor.units import parse_quantity
 
     if text is None:
         return job
     if isinstance(job.actuator, MESHED):
         what = f"is the mesh file '{job.actuator.file}'" if isinstance(job.actuator, MeshFile) else "has several bodies"
         raise TurgorError(f"--size is '{text}', but the actuator {what}, which has a mesh of its own size.")
-    try:
-        size = parse_quantity(text, "length")
-    except TurgorError as error:
-        raise TurgorError(f"--size: {error}") from None
+    size = option_quantity("--size", text, "length")
     faces = {name: min(length, size) for name, length in job.mesh.face_sizes.items()}
     return replace(job, mesh=replace(job.mesh_settings, size=size, face_sizes=faces))

@@ -123,6 +123,38 @@ def name_and_unit(text: str) -> tuple[str, str]:
     return name, unit
 
 
+def option_quantity(option: str, text: str, dimension: str) -> float:
+    """Return the quantity that an option states, in SI units; what is wrong with it names the option.
+
+    Parameters
+    ----------
+    option : str
+        Such as ``"--size"``.
+    text : str
+        What was written there.
+    dimension : str
+        One of the keys of `turgor.units.UNITS`.
+
+    Raises
+    ------
+    TurgorError
+        If the text is no quantity of this dimension.
+
+    Examples
+    --------
+    >>> option_quantity("--size", "2", "length")
+    Traceback (most recent call last):
+    turgor.TurgorError: --size: '2' needs a unit, for example '1.5 mm'. Known length units: m, cm, mm, um, µm, in, inch.
+    """
+    from turgor.foundation.errors import TurgorError
+    from turgor.units import parse_quantity
+
+    try:
+        return parse_quantity(text.strip(), dimension)
+    except TurgorError as error:
+        raise TurgorError(f"{option}: {error}") from None
+
+
 def command_of(options: Callable[..., Options], run: Callable[[Options], None]) -> Callable[..., None]:
     """Make a command of typer from a dataclass: each field is an argument or an option, according to its annotation.
 

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, job_without_stages, output_option
-from turgor.foundation.errors import TurgorError
+from turgor.cli.options import Changes, Debug, JobFile, Json, job_without_stages, option_quantity, output_option
 
 if TYPE_CHECKING:
     from turgor.fast_models.section.solution import SectionSolution
@@ -59,14 +58,7 @@ def section_command(
 
 
 def _length(size: str) -> float | None:
-    from turgor.units import parse_quantity
-
-    if not size:
-        return None
-    try:
-        return float(parse_quantity(size, "length"))
-    except TurgorError as error:
-        raise TurgorError(f"--size: {error}") from None
+    return option_quantity("--size", size, "length") if size else None
 
 
 def _write(folder: Path, job: "Job", solution: "SectionSolution") -> None:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from turgor.cli.options import option_quantity
 from turgor.foundation.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -108,11 +109,10 @@ def specimens_of(text: str, count: int) -> "list[Specimen | None]":
 
 def _specimen(text: str) -> "Specimen | None":
     from turgor.core.materials.experiments.specimen import Specimen
-    from turgor.units import parse_quantity
 
     if not text:
         return None
-    sizes = [parse_quantity(part.strip(), "length") for part in text.split(",")]
+    sizes = [option_quantity("--specimen", part, "length") for part in text.split(",")]
     if len(sizes) != 3:
         raise TurgorError(
             f"--specimen is '{text}'; write length, width and thickness, for example '33 mm, 6 mm, 3 mm'."
@@ -122,9 +122,7 @@ def _specimen(text: str) -> "Specimen | None":
 
 def preload_of(text: str) -> float | None:
     """Return the stress of ``--preload`` [Pa]."""
-    from turgor.units import parse_quantity
-
-    return parse_quantity(text, "pressure") if text else None
+    return option_quantity("--preload", text, "pressure") if text else None
 
 
 def zero_of(text: str) -> float | str | None:
