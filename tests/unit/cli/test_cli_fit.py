@@ -104,7 +104,7 @@ def test_compression_is_fitted(run, tmp_path):
         (["--mode", "planar,uniaxial"], "--mode names 2 modes for 1 files"),
         (["--specimen", "33 mm"], "--specimen is '33 mm'"),
         (["--specimen", "33 mm, 0 mm, 3 mm"], "width is 0 m; it must be more than 0"),
-        (["--preload", "7"], "'7' needs a unit"),
+        (["--preload", "7"], "--preload: '7' needs a unit"),
         (["--cycle", "0"], "cycle is 0; 1 is the first"),
         (["--cycle", "9"], "has one loading curve; there is no number 9"),
         (["--average"], "--average has one uniaxial test only"),
